@@ -15,7 +15,7 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
         const std::size_t n = require_planes(n_planes, planes);
         require_space(t, "cells");
         const auto points = static_cast<std::size_t>(point_count(t->core));
-        const std::size_t count = (m == Measure::centroid ? 3 : 1) * points;
+        const std::size_t count = width_of(m) * points;
         if (count > 0) require_pointer(x, "the output array");
         require_capacity(capacity, count, "the output array");
         if (t->core.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();

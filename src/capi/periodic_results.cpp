@@ -7,6 +7,7 @@
 #include "capi/periodic_handle.hpp"
 #include "capi/voronoi_handle.hpp"
 #include "periodic/periodic_cells.hpp"
+#include "periodic/periodic_diagram.hpp"
 
 using namespace mgdt;
 
@@ -196,7 +197,7 @@ void require_cells(const Periodic& p) {
 void get_measures(const Periodic& p, std::int32_t measure, std::int64_t capacity, double* x) {
     const Measure m = measure_of(measure);
     require_cells(p);
-    const std::size_t size = (m == Measure::centroid ? 3 : 1) * p.point_count();
+    const std::size_t size = width_of(m) * p.point_count();
     require_capacity(capacity, size, "x");
     if (size == 0) return;
     require_pointer(x, "x");

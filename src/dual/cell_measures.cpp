@@ -226,8 +226,7 @@ bool CellMeasures::measure(const Mesh& mesh, VertexId v, const Link& link, const
         return true;
     }
     if (!region.is_bounded() && !cell_.is_bounded()) {
-        std::fill_n(x, measure == Measure::centroid ? 3 : 1,
-                    std::numeric_limits<double>::infinity());
+        std::fill_n(x, width_of(measure), std::numeric_limits<double>::infinity());
         return true;
     }
     if (!cell_.is_ordinary() || !region.is_ordinary()) return false;
@@ -244,8 +243,11 @@ bool CellMeasures::measure(const Mesh& mesh, VertexId v, const Link& link, const
             return true;
         default:
             if (!measure_as<Measure::centroid>(link, region)) return false;
-            for (int k = 0; k < 3; ++k)
-                x[k] = scaled(point_[k] + sums_.centroid(k) / cell_.factor(), -mesh.scale);
+            for (int k = 0; k < 3; ++k) {
+                const double offset = sums_.centroid(k) / cell_.factor();
+                x[k] =
+                    scaled(measure == Measure::centroid ? point_[k] + offset : offset, -mesh.scale);
+            }
             return true;
     }
 }

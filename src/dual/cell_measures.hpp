@@ -23,8 +23,8 @@ class CellMeasures {
           cutting_(allocator),
           touches_(allocator) {}
 
-    // Measures the cell of vertex v, whose link is given, within the region. The result is one
-    // double, or three for a centroid. Returns false if the error may exceed measure_error, or if
+    // Measures the cell of vertex v, whose link is given, within the region. The result is
+    // width_of(measure) doubles. Returns false if the error may exceed measure_error, or if
     // faces are to be counted and the region may cut the cell.
     bool measure(const Mesh& mesh, VertexId v, const Link& link, const Region& region,
                  Measure measure, Centers centers, double* x);

@@ -76,7 +76,7 @@ void BoundedSums<Numbers>::add_face(const CellFaces::Face& face, Measure measure
     for (std::size_t i = face.begin; i < face.end; ++i) {
         const V b = i + 1 == face.end ? first : corner_before(i + 1), a_cross_b = cross(a, b);
         doubled_area = doubled_area + a_cross_b;
-        if (measure == Measure::centroid) {
+        if (width_of(measure) == 3) {
             const B volume = weight * dot(row.normal, a_cross_b);
             const V middle = numbers_.number(0.5) * weight * row.normal + (a + b);
             for (std::size_t k = 0; k < 3; ++k) add_to_sum(1 + k, volume * middle.x[k]);
@@ -122,7 +122,8 @@ bool BoundedSums<Numbers>::give(const double* point, int scale, Measure measure,
             const B moment = sums_.get(numbers_, 1 + k);
             if (!is_below(moment.wide_error(), extent_ * value, measure_error)) return false;
             const WideDouble offset = moment.wide() / (value * WideDouble(4)),
-                             at = WideDouble(point[k]) + offset;
+                             at = measure == Measure::centroid ? WideDouble(point[k]) + offset
+                                                               : offset;
             x[k] = WideDouble(at.mantissa, at.exponent - scale).in_double();
         }
     }
@@ -159,7 +160,7 @@ void ExactMeasures::measure(CellFaces& faces, const double* point, int scale, Me
         if (measure == Measure::centroid)
             for (int k = 0; k < 3; ++k) x[k] = scaled(point[k], -scale);
         else
-            x[0] = 0;
+            std::fill_n(x, width_of(measure), 0.0);
         return;
     }
     for (const Stage stage : {Stage::doubles, Stage::twofold})

@@ -11,7 +11,7 @@ namespace mgdt {
 class ExactMeasures {
   public:
     // Measures the bounded cell of the vertex at `point`, where `scale` is the scale of the mesh.
-    // The result is one double, or three for a centroid. The error is below measure_error.
+    // The result is width_of(measure) doubles. The error is below measure_error.
     static void measure(CellFaces& faces, const double* point, int scale, Measure measure,
                         double* x);
 

@@ -11,7 +11,13 @@
 
 namespace mgdt {
 
-enum class Measure { volume, area, centroid, faces };
+// centroid_offset is the centroid relative to the cell's point.
+enum class Measure { volume, area, centroid, centroid_offset, faces };
+
+// How many numbers a measure has.
+constexpr std::size_t width_of(Measure measure) {
+    return measure == Measure::centroid || measure == Measure::centroid_offset ? 3 : 1;
+}
 
 // The largest allowed relative error of volumes and areas, and the largest allowed error of
 // centroids in units of the distance of the farthest corner.

@@ -47,7 +47,7 @@ void export_volumes(const ExportView& view, const Region& region, AtomicArray<Te
 void export_measures(const ExportView& view, const Region& region, Measure measure,
                      std::size_t points, double* x) {
     const Mesh& mesh = view.mesh;
-    const std::size_t width = measure == Measure::centroid ? 3 : 1;
+    const std::size_t width = width_of(measure);
     std::fill_n(x, width * points, 0.0);
     AtomicArray<TetId> first(view.allocator, mesh.vertices.size());
     find_tetrahedra(view, first);

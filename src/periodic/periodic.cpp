@@ -135,9 +135,13 @@ void Periodic::build() {
     progress.finish();
 }
 
-void Periodic::rounded(std::uint32_t point, double (&x)[3]) const {
+void Periodic::place_of(std::uint32_t point, double* x) const {
     grid_->round(given_.begin() + 3 * std::size_t{point}, x);
-    for (double& c : x) c = lattice_.to_callers(c);
+}
+
+void Periodic::rounded(std::uint32_t point, double* x) const {
+    place_of(point, x);
+    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(x[c]);
 }
 
 // The rounded basis is exact, so an integral combination of it is the vector.
@@ -151,11 +155,6 @@ std::size_t Periodic::vertex_count() const {
     for (std::uint32_t p = 0; has_triangulation_ && p < point_count(); ++p)
         count += vertex_of(p) == p ? 1 : 0;
     return count;
-}
-
-void Periodic::step_of(std::uint32_t point, double (&step)[3]) const {
-    grid_->round(given_.begin() + 3 * std::size_t{point}, step);
-    for (unsigned c = 0; c < 3; ++c) step[c] -= halo_.point(point)[c];
 }
 
 }  // namespace mgdt

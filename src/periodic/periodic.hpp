@@ -56,8 +56,14 @@ class Periodic {
     PeriodicSettings& settings() noexcept { return settings_; }
     const PeriodicSettings& settings() const noexcept { return settings_; }
     unsigned dimensions() const noexcept { return lattice_.dimensions(); }
-    // Converts a length of the unit of the lattice to that of the caller.
-    double to_callers(double length) const noexcept { return lattice_.to_callers(length); }
+    // The unit of the lattice is 2^exponent() units of the caller.
+    int exponent() const noexcept { return lattice_.exponent(); }
+    // Converts a length in the unit of the lattice to that of the caller, or, with 2 or 3 powers,
+    // an area or a volume.
+    double to_callers(double x, unsigned powers = 1) const noexcept {
+        for (unsigned i = 0; i < powers; ++i) x = lattice_.to_callers(x);
+        return x;
+    }
     std::size_t point_count() const noexcept { return given_.size() / 3; }
     // Memory that is held.
     std::size_t bytes() const { return allocator_.bytes() + halo_.bytes_elsewhere(); }
@@ -82,12 +88,11 @@ class Periodic {
     // The multiples of the basis by which a point was moved into the box.
     const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
-    void rounded(std::uint32_t point, double (&x)[3]) const;
+    void rounded(std::uint32_t point, double* x) const;
     // One of the caller's vectors after rounding.
     void rounded_vector(std::uint32_t k, double (&x)[3]) const;
-    // The way from a point in the box to where the caller has put it, in the unit of the lattice:
-    // shift_of() times the basis.
-    void step_of(std::uint32_t point, double (&step)[3]) const;
+    // The same in the unit of the lattice.
+    void place_of(std::uint32_t point, double* x) const;
 
   private:
     void wrap(Buffer<double>& wrapped);

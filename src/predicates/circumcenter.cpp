@@ -138,26 +138,26 @@ MGDT_PREDICATES_INLINE double position_error(const DoubledOffset& offset, const 
 
 }  // namespace
 
-bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
-                          const CircumcenterBounds& bounds) {
+bool circumcenter_refined(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c, const CircumcenterBounds& bounds) {
     DoubledOffset offset;
-    if (!solve(p, bounds, offset)) return false;
+    if (!in_normal_range(first) || !solve(p, bounds, offset)) return false;
     const double error = offset.error, size = offset.size;
     Twofold w[3], square[3];
     double rest = 0;
     bool is_known = true;
     each<3>([&](auto k) {
         w[k] = Twofold::sum(offset.rough[k], offset.correction[k]);
-        const Twofold x = position(p[0], offset, k);
+        const Twofold x = position(first, offset, k);
         is_known &= round_if_certain(x, position_error(offset, x), c.x[k]);
         is_known &= scale_exactly(c.x[k], -scale);
         square[k] = Twofold::product(w[k].high, w[k].high);
         rest += square[k].low + 2 * w[k].high * w[k].low;
     });
-    const Twofold first = Twofold::sum(square[0].high, square[1].high);
-    const Twofold all = Twofold::sum(first.high, square[2].high);
+    const Twofold two = Twofold::sum(square[0].high, square[1].high);
+    const Twofold all = Twofold::sum(two.high, square[2].high);
     is_known &= round_if_certain(
-        {all.high, rest + (first.low + all.low)},
+        {all.high, rest + (two.low + all.low)},
         (8 * size + 4 * error) * error + 100 * half_ulp * half_ulp * size * size, c.radius2);
     c.radius2 *= 0.25;
     return is_known && scale_exactly(c.radius2, -2 * scale);
@@ -179,10 +179,11 @@ Vector<Number> bounded_offset(const double* const (&p)[4]) {
 
 }  // namespace
 
-bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c) {
+bool circumcenter_bounded(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c) {
     const Vector<Number> offset = bounded_offset(p);
     for (int k = 0; k < 3; ++k)
-        if (!round_to_nearest(offset.x[k] + Number::number(p[0][k]), -scale, c.x[k])) return false;
+        if (!round_to_nearest(offset.x[k] + Number::number(first[k]), -scale, c.x[k])) return false;
     return round_to_nearest(dot(offset, offset), -2 * scale, c.radius2);
 }
 
@@ -209,19 +210,19 @@ bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]) {
 namespace {
 
 // The differences between the other three vertices and the first vertex, followed by the
-// coordinates of the first vertex.
+// coordinates of the place of the first vertex.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
 };
 
 }  // namespace
 
-void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
-                          int least_width) {
+void circumcenter_integer(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c, int least_width) {
     VertexAndDifferences d;
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < 3; ++i) d.set(3 * i + k, p[i + 1][k], p[0][k]);
-        d.set(9 + k, p[0][k], 0);
+        d.set(9 + k, first[k], 0);
     }
     const int unit = d.low - scale;
     with_integers(d, least_width, [&](const auto& v) {
@@ -314,10 +315,14 @@ void center_offset(const double* const (&p)[4], double (&offset)[3]) {
 }
 
 Circumcenter circumcenter(const double* const (&p)[4], int scale) {
+    return translated_circumcenter(p, p[0], scale);
+}
+
+Circumcenter translated_circumcenter(const double* const (&p)[4], const double* first, int scale) {
     Circumcenter c;
-    if (exact::circumcenter_refined(p, scale, c)) return c;
-    if (exact::has_short_integers(p) || !exact::circumcenter_bounded(p, scale, c))
-        exact::circumcenter_integer(p, scale, c);
+    if (exact::circumcenter_refined(p, first, scale, c)) return c;
+    if (exact::has_short_integers(p) || !exact::circumcenter_bounded(p, first, scale, c))
+        exact::circumcenter_integer(p, first, scale, c);
     return c;
 }
 

@@ -16,6 +16,10 @@ struct Circumcenter {
 // result is infinite if it exceeds the largest double. Neither the order of the vertices nor the
 // scale changes the result.
 Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
+// The same of the tetrahedron after the translation that takes the first vertex to `first`. The
+// other vertices need not be doubles there.
+Circumcenter translated_circumcenter(const double* const (&p)[4], const double* first,
+                                     int scale = 0);
 
 // A point as the sum of doubles and of corrections, which keep about 77 bits of a coordinate.
 struct SplitPoint {
@@ -55,15 +59,17 @@ inline constexpr CircumcenterBounds circumcenter_bounds{};
 double sphere_residual(const double* p, const double* origin, const double (&w)[3]);
 constexpr double sphere_residual_bound = 90;
 
-// The stages, for tests. The first computes in doubles and corrects the result once. The second
+// The stages, for tests. `first` is where the first vertex is taken to. The first stage computes in
+// doubles and corrects the result once. The second
 // computes in twofold numbers with bounds, for coordinates of any magnitude. Both return false if
 // they cannot round correctly. The third computes in integers, with the smallest of `widths` that
 // fits and is at least least_width.
-bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
-                          const CircumcenterBounds& bounds = circumcenter_bounds);
-bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c);
-void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
-                          int least_width = 0);
+bool circumcenter_refined(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c, const CircumcenterBounds& bounds = circumcenter_bounds);
+bool circumcenter_bounded(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c);
+void circumcenter_integer(const double* const (&p)[4], const double* first, int scale,
+                          Circumcenter& c, int least_width = 0);
 bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]);
 void center_offset_integer(const double* const (&p)[4], double (&offset)[3]);
 

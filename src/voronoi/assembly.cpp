@@ -29,7 +29,7 @@ void set_size(Buffer<T>& array, std::size_t size) {
 
 Assembly::Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
                    const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
-                   VoronoiDiagram& diagram)
+                   VoronoiDiagram& diagram, VoronoiSources* sources)
     : view_(view),
       mesh_(view.mesh),
       vertex_of_(vertex_of),
@@ -38,6 +38,7 @@ Assembly::Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, co
       cut_(cut),
       found_(found),
       diagram_(diagram),
+      sources_(sources),
       ends_(view.allocator),
       order_(view.allocator) {
     std::size_t end = 0;
@@ -135,7 +136,8 @@ void Assembly::copy_faces() {
             const double* const a = mesh_.point(vertex_of_[face.sides[0]]);
             for (int k = 0; k < 3; ++k)
                 d.face_centroids[3 * f + static_cast<std::size_t>(k)] =
-                    scaled(a[k], -scale) + face.centroid.x[k];
+                    sources_ == nullptr ? scaled(a[k], -scale) + face.centroid.x[k]
+                                        : face.centroid.x[k];
             std::copy_n(from.corners.begin() + face.begin(), face.size(),
                         d.face_corners.begin() + d.face_begin[f]);
         }
@@ -170,13 +172,14 @@ void Assembly::number_corners() {
             const Tetrahedron& ghost = mesh_.tetrahedra[slot];
             const TetId inner = tetrahedron_of(ghost.n[ghost.infinite_slot()]);
             std::uint32_t& number = of_slot[centers_.first_equal(slot)];
-            if (number == none) number = add_ray(ghost, of_slot[centers_.first_equal(inner)]);
+            if (number == none) number = add_ray(slot, of_slot[centers_.first_equal(inner)]);
             corners[i] = number | VoronoiDiagram::ray;
         } else {
             corners[i] = number_of(of_slot[corner], corner);
         }
     }
     set_vertices(corner_of);
+    if (sources_ != nullptr) sources_->of_vertex = std::move(corner_of);
 }
 
 // Writes a circumcentre without the mesh's scale, rounded to the nearest doubles.
@@ -230,7 +233,8 @@ void Assembly::find_bounded_cells() {
 }
 
 // Adds the ray from a vertex that leaves the hull through the facet of a ghost.
-std::uint32_t Assembly::add_ray(const Tetrahedron& ghost, std::uint32_t vertex) {
+std::uint32_t Assembly::add_ray(TetId slot, std::uint32_t vertex) {
+    const Tetrahedron& ghost = mesh_.tetrahedra[slot];
     const auto number = static_cast<std::uint32_t>(diagram_.ray_vertices.size());
     // The vertices of the facet in an order that depends on the points alone.
     const unsigned char* const at = outer_face[ghost.infinite_slot()];
@@ -243,6 +247,7 @@ std::uint32_t Assembly::add_ray(const Tetrahedron& ghost, std::uint32_t vertex) 
     unit_normal(view_.allocator, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]),
                 direction);
     diagram_.ray_vertices.push_back(vertex);
+    if (sources_ != nullptr) sources_->of_ray.push_back(slot);
     for (const double of : direction) diagram_.ray_directions.push_back(of);
     return number;
 }
@@ -311,8 +316,10 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
           moment_error + extent * error <= 0.5 * measure_error * extent * sum))
         return false;
     volume = std::ldexp(sum / 3, -3 * mesh_.scale);
-    for (int k = 0; k < 3; ++k)
-        centroid[k] = scaled(at[k] + 0.75 * (moment.x[k] / sum), -mesh_.scale);
+    for (int k = 0; k < 3; ++k) {
+        const double offset = 0.75 * (moment.x[k] / sum);
+        centroid[k] = scaled(sources_ == nullptr ? at[k] + offset : offset, -mesh_.scale);
+    }
     return true;
 }
 
@@ -345,7 +352,9 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& ind
             if (measure_cell(cell, d.volumes[cell], centroid)) continue;
             const TetId of_cell = first[v].load(std::memory_order_relaxed);
             measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
-            measurer.measure(mesh_, v, of_cell, region_, Measure::centroid, centroid);
+            measurer.measure(mesh_, v, of_cell, region_,
+                             sources_ == nullptr ? Measure::centroid : Measure::centroid_offset,
+                             centroid);
         }
     });
 }

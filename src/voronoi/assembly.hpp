@@ -10,6 +10,7 @@
 #include "voronoi/circumcenters.hpp"
 #include "voronoi/cut_corners.hpp"
 #include "voronoi/found_faces.hpp"
+#include "voronoi/voronoi.hpp"
 
 namespace mgdt {
 
@@ -18,7 +19,7 @@ class Assembly {
     // vertex_of is the vertex of each of the caller's points, or infinite_vertex.
     Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
              const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
-             VoronoiDiagram& diagram);
+             VoronoiDiagram& diagram, VoronoiSources* sources);
 
     // The steps, in this order.
     void sort_faces();
@@ -38,7 +39,7 @@ class Assembly {
     void copy_faces();
     void write_circumcenter(TetId t, double* out) const;
     void set_vertices(const Buffer<std::uint32_t>& corner_of);
-    std::uint32_t add_ray(const Tetrahedron& ghost, std::uint32_t vertex);
+    std::uint32_t add_ray(TetId slot, std::uint32_t vertex);
     bool measure_cell(std::size_t cell, double& volume, double* centroid) const;
 
     const ExportView& view_;
@@ -49,8 +50,9 @@ class Assembly {
     CutCorners& cut_;
     const Objects<FoundFaces>& found_;
     VoronoiDiagram& diagram_;
-    Buffer<std::size_t> ends_;     // the end of each member's faces, as items
-    Buffer<std::uint32_t> order_;  // for each face its item
+    VoronoiSources* const sources_;  // or NULL
+    Buffer<std::size_t> ends_;       // the end of each member's faces, as items
+    Buffer<std::uint32_t> order_;    // for each face its item
 };
 
 }  // namespace mgdt

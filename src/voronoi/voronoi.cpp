@@ -11,7 +11,7 @@
 namespace mgdt {
 
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   const StopRequest& stop, VoronoiDiagram& diagram) {
+                   const StopRequest& stop, VoronoiDiagram& diagram, VoronoiSources* sources) {
     stop.poll();
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
@@ -36,7 +36,7 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
         cut.find(found);
     }
     WholeFaces(view, indices, centers, is_cut, stop).find(found);
-    Assembly assembly(view, vertex_of, region, centers, corners, found, diagram);
+    Assembly assembly(view, vertex_of, region, centers, corners, found, diagram, sources);
     assembly.sort_faces();
     stop.poll();
     assembly.number_corners();

@@ -61,7 +61,8 @@ bool is_nearest(double x, Big n, Big d, int unit) {
 struct Reference {
     Big numerator[3], radius2, determinant;  // twice the determinant of the differences
 
-    explicit Reference(Four& four) {
+    // Of the tetrahedron after the translation of its first vertex to `first`, if that is given.
+    explicit Reference(Four& four, Point* first = nullptr) {
         Big p[4][3];
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t k = 0; k < 3; ++k) p[i][k] = in_least_units(four[i][k]);
@@ -81,18 +82,20 @@ struct Reference {
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < 3; ++i) columns[k][i] = r[i][k];
         determinant = 2 * det(columns[0], columns[1], columns[2]);
-        Big centre[3];
+        Big centre[3], place[3];
+        for (std::size_t k = 0; k < 3; ++k)
+            place[k] = first != nullptr ? in_least_units((*first)[k]) : p[0][k];
         for (std::size_t k = 0; k < 3; ++k) {
             const Big* c[3] = {columns[0], columns[1], columns[2]};
             c[k] = square;
             centre[k] = det(c[0], c[1], c[2]);
             radius2 += centre[k] * centre[k];
-            numerator[k] = centre[k] + p[0][k] * determinant;
+            numerator[k] = centre[k] + place[k] * determinant;
         }
         if (determinant >= 0) return;
         determinant = -determinant;
         for (Big& n : numerator) n = -n;
-        std::swap(four[0], four[1]);
+        std::swap(four[first != nullptr ? 2 : 0], four[first != nullptr ? 3 : 1]);
     }
     bool is_met_by(const Circumcenter& c, int scale) const {
         for (std::size_t k = 0; k < 3; ++k)
@@ -104,16 +107,16 @@ struct Reference {
 bool refined(const Four& f, Circumcenter& c, int scale = 0,
              const CircumcenterBounds& bounds = mgdt::exact::circumcenter_bounds) {
     return mgdt::exact::circumcenter_refined({f[0].data(), f[1].data(), f[2].data(), f[3].data()},
-                                             scale, c, bounds);
+                                             f[0].data(), scale, c, bounds);
 }
 bool bounded(const Four& f, Circumcenter& c, int scale = 0) {
     return mgdt::exact::circumcenter_bounded({f[0].data(), f[1].data(), f[2].data(), f[3].data()},
-                                             scale, c);
+                                             f[0].data(), scale, c);
 }
 Circumcenter integer(const Four& f, int least_width, int scale = 0) {
     Circumcenter c;
-    mgdt::exact::circumcenter_integer({f[0].data(), f[1].data(), f[2].data(), f[3].data()}, scale,
-                                      c, least_width);
+    mgdt::exact::circumcenter_integer({f[0].data(), f[1].data(), f[2].data(), f[3].data()},
+                                      f[0].data(), scale, c, least_width);
     return c;
 }
 
@@ -206,6 +209,35 @@ TEST(Circumcenter, IsThatOfUnscaledPoints) {
         }
         ASSERT_TRUE(reference.is_met_by(integer(f, 0, scale), scale)) << text(f) << scale;
     }
+}
+
+// A tetrahedron that is translated so far that its other vertices are no doubles there.
+TEST(Circumcenter, IsThatOfTheTranslatedTetrahedron) {
+    Random random(7);
+    int decided = 0, all = 0;
+    for (int i = 0; i < (is_small() ? 60 : 2000); ++i) {
+        Four f = any(random, static_cast<unsigned>(i % 5));
+        Point first = random.in_cube(-1, 1);
+        for (double& x : first) x = std::ldexp(x, random.integer(-3, 40));
+        const int scale = i % 2 == 0 ? 0 : random.integer(-1000, 1000);
+        const Reference reference(f, &first);
+        if (reference.determinant == 0) continue;
+        const double* const p[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
+        Circumcenter c;
+        ++all;
+        if (mgdt::exact::circumcenter_refined(p, first.data(), scale, c)) {
+            ++decided;
+            ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f);
+        }
+        if (mgdt::exact::circumcenter_bounded(p, first.data(), scale, c)) {
+            ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f);
+        }
+        c = mgdt::translated_circumcenter(p, first.data(), scale);
+        ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f);
+        mgdt::exact::circumcenter_integer(p, first.data(), scale, c);
+        ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f);
+    }
+    EXPECT_GT(decided, all / 4);
 }
 
 TEST(CenterOffset, StagesAgree) {

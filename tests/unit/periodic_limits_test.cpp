@@ -15,6 +15,7 @@
 #include "periodic/image_prediction.hpp"
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_check.hpp"
+#include "periodic/periodic_diagram.hpp"
 
 namespace mgdt {
 namespace {

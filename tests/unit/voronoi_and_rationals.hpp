@@ -95,6 +95,7 @@ inline void compare_measures(const VoronoiDiagram& d, std::size_t f,
                              const exact_cells::Rational& reach, bool has_two_points,
                              const exact_cells::V& origin) {
     using namespace exact_cells;
+    using exact_cells::operator+, exact_cells::operator-, exact_cells::operator*;
     const Rational square = exact_cells::dot(normal, normal),
                    squared_area = doubled * doubled / (4 * square),
                    tiny = has_two_points ? Rational(1e-14) * square : Rational(0);
