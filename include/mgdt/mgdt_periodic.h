@@ -14,11 +14,12 @@
  *
  * The result is exact and canonical. Coordinates and vectors are rounded once
  * (MGDT_PERIODIC_ARRAY_POINTS has the rounded ones): for each axis to multiples of at most 2^-47 of
- * the size of the box, which is the sum of the magnitudes of that coordinate over the shortest
- * vectors of its lattice; for a slab or a wire whose points reach farther than the box, of their
- * extent. Then all images are
- * exact, so the tetrahedra do not depend on which images of the points are given, nor on the number
- * of threads. Points with the same images are one vertex.
+ * the size of the box; for a slab or a wire whose points reach farther than the box, of their
+ * extent. The size of the box is measured along each axis: it is the sum of the magnitudes of that
+ * coordinate over the shortest vectors of the lattice. Then all images are exact: each is the
+ * rounded point plus multiples of the rounded vectors, however oblique these are. So the tetrahedra
+ * do not depend on which images of the points are given, nor on the number of threads. Points with
+ * the same images are one vertex.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
  * thread rule.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "periodic/integers_modulo.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/twofold.hpp"
@@ -60,10 +61,24 @@ BoxLattice::BoxLattice(unsigned dimensions, const double* vectors) : dimensions_
 BoxLattice BoxLattice::rounded_to(const double (&units)[3]) const {
     BoxLattice rounded = *this;
     rounded.is_exact_ = true;
-    for (unsigned k = 0; k < dimensions_; ++k)
-        for (unsigned c = 0; c < 3; ++c)
-            if (units[c] > 0)
-                rounded.basis_[k][c] = std::nearbyint(basis_[k][c] / units[c]) * units[c];
+    // A vector that is many times longer than the basis is a multiple of the unit already. In
+    // integers modulo 2^64 each step of the combination is exact, and so is the result, which is
+    // hardly larger than a vector of the basis: below 2^50 units.
+    for (unsigned c = 0; c < 3; ++c) {
+        if (units[c] == 0) continue;
+        std::uint64_t given[3] = {};
+        for (unsigned k = 0; k < dimensions_; ++k) {
+            const double of = std::nearbyint(given_[k][c] / units[c]);
+            rounded.given_[k][c] = of * units[c];
+            given[k] = modulo_2_64(of);
+        }
+        for (unsigned k = 0; k < dimensions_; ++k) {
+            std::uint64_t sum = 0;
+            for (unsigned j = 0; j < dimensions_; ++j)
+                sum += static_cast<std::uint64_t>(transform_[k][j]) * given[j];
+            rounded.basis_[k][c] = from_modulo_2_64(sum) * units[c];
+        }
+    }
     rounded.reduce();
     rounded.complete();
     rounded.set_dual();
@@ -209,17 +224,6 @@ void BoxLattice::set_dual() {
         slope_[k] = length_of(dual_[k]) * (1 + 0x1p-40);
         if (!std::isfinite(slope_[k])) fail_to_span(dimensions_);
     }
-}
-
-void BoxLattice::callers_vector(unsigned k, double (&x)[3]) const {
-    // Coordinates of the vector are integers, and near to those of the given one.
-    double s[3];
-    coordinates(given_[k], s);
-    Twofold sum[3] = {};
-    for (unsigned i = 0; i < dimensions_; ++i)
-        for (unsigned c = 0; c < 3; ++c)
-            sum[c] = sum[c] + Twofold::product(std::nearbyint(s[i]), basis_[i][c]);
-    for (unsigned c = 0; c < 3; ++c) x[c] = sum[c].high + sum[c].low;
 }
 
 std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of_basis) const {

@@ -34,8 +34,9 @@ class BoxLattice {
     // One to three vectors of three finite coordinates each. Throws MGDT_ERR_INVALID_ARGUMENT if
     // they do not span. The angles of the basis are obtuse within rounding.
     BoxLattice(unsigned dimensions, const double* vectors);
-    // The lattice of the basis after rounding to multiples of a unit, a power of two, for each
-    // axis. Axes whose unit is 0 are not rounded. Its own basis is exact and exactly obtuse. Throws
+    // The lattice of the caller's vectors after rounding to multiples of a unit, a power of two,
+    // for each axis. The unit is at least 2^-48 of the largest coordinate of the basis; axes whose
+    // unit is 0 have none. Its own basis is exact and exactly obtuse. Throws
     // MGDT_ERR_INVALID_ARGUMENT if what is left does not span, or hardly.
     BoxLattice rounded_to(const double (&units)[3]) const;
 
@@ -61,8 +62,8 @@ class BoxLattice {
     // caller's vectors.
     std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
 
-    // The place of the caller's vector k after rounding.
-    void callers_vector(unsigned k, double (&x)[3]) const;
+    // The caller's vector k, of rounded_to() after rounding.
+    const double* callers_vector(unsigned k) const { return given_[k]; }
 
     // Coordinates along thinner boxes, or of points higher above a box, are too rough to find the
     // images of points.

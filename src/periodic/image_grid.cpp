@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "periodic/integers_modulo.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 
@@ -17,19 +18,6 @@ double nearest_integer(double q) {
     // Without branches, which would be mispredicted for half of the numbers.
     const double below = towards_zero - static_cast<double>(towards_zero > q);
     return below + static_cast<double>(q - below >= 0.5);
-}
-
-// An integer modulo 2^64, of any size.
-std::uint64_t modulo_2_64(double integer) {
-    int exponent;
-    const double fraction = std::frexp(std::fabs(integer), &exponent);
-    const auto bits = static_cast<std::uint64_t>(std::scalbn(fraction, 53));
-    const int shift = exponent - 53;
-    const std::uint64_t size = shift >= 64   ? 0
-                               : shift >= 0  ? bits << shift
-                               : shift > -64 ? bits >> -shift
-                                             : 0;
-    return integer < 0 ? 0 - size : size;
 }
 
 }  // namespace
@@ -109,9 +97,7 @@ void ImageGrid::reduce(const double* x, const Multiples& k, double* to) const {
         for (unsigned j = 0; j < lattice_.dimensions(); ++j)
             sum -= static_cast<std::uint64_t>(static_cast<std::int64_t>(k[j])) *
                    modulo_2_64(basis_[j][c] * per_unit_[c]);
-        const bool is_negative = sum >> 63 != 0;
-        const auto size = static_cast<double>(is_negative ? 0 - sum : sum);
-        to[c] = (is_negative ? -size : size) * unit_[c];
+        to[c] = from_modulo_2_64(sum) * unit_[c];
     }
 }
 

@@ -144,10 +144,9 @@ void Periodic::rounded(std::uint32_t point, double* x) const {
     for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(x[c]);
 }
 
-// The rounded basis is exact, so an integral combination of it is the vector.
-void Periodic::rounded_vector(std::uint32_t k, double (&x)[3]) const {
-    grid_->lattice().callers_vector(k, x);
-    for (double& c : x) c = lattice_.to_callers(c);
+void Periodic::rounded_vector(std::uint32_t k, double* x) const {
+    const double* const vector = grid_->lattice().callers_vector(k);
+    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(vector[c]);
 }
 
 std::size_t Periodic::vertex_count() const {

@@ -90,7 +90,7 @@ class Periodic {
     // The rounded coordinates of a point where the caller has put it.
     void rounded(std::uint32_t point, double* x) const;
     // One of the caller's vectors after rounding.
-    void rounded_vector(std::uint32_t k, double (&x)[3]) const;
+    void rounded_vector(std::uint32_t k, double* x) const;
     // The same in the unit of the lattice.
     void place_of(std::uint32_t point, double* x) const;
 
