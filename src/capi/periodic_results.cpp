@@ -82,20 +82,14 @@ std::size_t size_of(const Periodic& p, std::int32_t array) {
     }
 }
 
+using Offset = std::array<std::int64_t, 3>;
+
 // Calls index(i) for each element of an array of numbers that start at the index base, and
 // offset(o) for each offset.
-template <class Index, class Offset>
-void each_integer(const Periodic& p, std::int32_t array, const Index& index, const Offset& offset) {
-    using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
-    const auto each_tetrahedron = [&](const auto& f) {
-        p.tetrahedra().each_tetrahedron([&](std::size_t, const Tetrahedron& t) { f(t.corners); });
-    };
-    const auto each_neighbor = [&](const auto& f) {
-        p.tetrahedra().each_record([&](std::size_t, const PeriodicTetrahedra::Record& record) {
-            for (const PeriodicTetrahedra::Neighbor& n : record.neighbors)
-                f(record.tetrahedron.corners[0].point, n);
-        });
-    };
+template <class Index, class AddOffset>
+void each_integer(const Periodic& p, std::int32_t array, const Index& index,
+                  const AddOffset& offset) {
+    using Record = PeriodicTetrahedra::Record;
     // An image that is a corner or a neighbour, as seen from a point of the box.
     const auto seen_from = [&](std::uint32_t point, const Image& image) {
         offset(p.offset_from(point, image));
@@ -109,23 +103,36 @@ void each_integer(const Periodic& p, std::int32_t array, const Index& index, con
             for (std::uint32_t i = 0; i < points; ++i) seen_from(i, {p.vertex_of(i), {}});
             return;
         case MGDT_PERIODIC_ARRAY_TETRAHEDRA:
-            return each_tetrahedron([&](const Image(&corners)[4]) {
-                for (const Image& corner : corners) index(corner.point);
-            });
+            for (const Record& record : p.tetrahedra().records())
+                for (const Image& corner : record.tetrahedron.corners) index(corner.point);
+            return;
         case MGDT_PERIODIC_ARRAY_OFFSETS:
-            return each_tetrahedron([&](const Image(&corners)[4]) {
-                for (const Image& corner : corners) seen_from(corners[0].point, corner);
-            });
+            for (const Record& record : p.tetrahedra().records())
+                for (const Image& corner : record.tetrahedron.corners)
+                    seen_from(record.tetrahedron.corners[0].point, corner);
+            return;
         case MGDT_PERIODIC_ARRAY_NEIGHBORS:
-            return each_neighbor([&](std::uint32_t, const PeriodicTetrahedra::Neighbor& n) {
-                index(n.number == PeriodicTetrahedra::none ? -1 : std::int64_t{n.number});
-            });
-        case MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS:
-            return each_neighbor([&](std::uint32_t first, const PeriodicTetrahedra::Neighbor& n) {
-                if (n.number == PeriodicTetrahedra::none) return offset({});
-                seen_from(first, image_of(p.tetrahedra()[n.number].corners[0].point,
-                                          {n.of[0], n.of[1], n.of[2]}));
-            });
+            for (const Record& record : p.tetrahedra().records())
+                for (const PeriodicTetrahedra::Neighbor& n : record.neighbors)
+                    index(n.number == PeriodicTetrahedra::none ? -1 : std::int64_t{n.number});
+            return;
+        case MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS: {
+            const Buffer<Record>& records = p.tetrahedra().records();
+            const bool needs_point = !p.has_one_shift();
+            for (const Record& record : records) {
+                const std::uint32_t first = record.tetrahedron.corners[0].point;
+                for (const PeriodicTetrahedra::Neighbor& n : record.neighbors) {
+                    if (n.number == PeriodicTetrahedra::none)
+                        offset({});
+                    else
+                        seen_from(
+                            first,
+                            {needs_point ? records[n.number].tetrahedron.corners[0].point : first,
+                             {n.of[0], n.of[1], n.of[2], 0}});
+                }
+            }
+            return;
+        }
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS:
             for (const std::uint64_t start : p.neighbors().begin)
                 index(static_cast<std::int64_t>(start));
@@ -151,8 +158,13 @@ void get_integers(const Periodic& p, std::int32_t array, std::int64_t capacity, 
     if (size == 0) return;
     require_pointer(values, "values");
     const std::int64_t base = p.settings().index_base;
-    // Nothing is written unless all fits.
-    if constexpr (sizeof(Int) < sizeof(std::int64_t)) {
+    // Nothing is written unless all fits. The numbers in an array are those of points, or are at
+    // most its size, or are positions in another array.
+    const std::size_t positions =
+        array == MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS ? p.neighbors().images.size() : 0;
+    const auto largest_number = static_cast<double>(std::max({size, p.point_count(), positions}));
+    if (sizeof(Int) < sizeof(std::int64_t) &&
+        std::max(largest_number, p.largest_offset()) >= 0x1p31 - 2) {
         const auto require = [](std::int64_t x) {
             if (x < std::numeric_limits<Int>::min() || x > std::numeric_limits<Int>::max())
                 fail(MGDT_ERR_INDEX_RANGE, "%lld does not fit a 32-bit integer",
@@ -160,13 +172,13 @@ void get_integers(const Periodic& p, std::int32_t array, std::int64_t capacity, 
         };
         each_integer(
             p, array, [&](std::int64_t i) { require(i + base); },
-            [&](const std::array<std::int64_t, 3>& of) {
+            [&](const Offset& of) {
                 for (const std::int64_t x : of) require(x);
             });
     }
     each_integer(
         p, array, [&](std::int64_t i) { *values++ = static_cast<Int>(i + base); },
-        [&](const std::array<std::int64_t, 3>& of) {
+        [&](const Offset& of) {
             for (const std::int64_t x : of) *values++ = static_cast<Int>(x);
         });
 }

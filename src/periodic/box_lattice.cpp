@@ -227,10 +227,22 @@ void BoxLattice::set_dual() {
 }
 
 std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of_basis) const {
-    std::array<std::int64_t, 3> of_callers = {};
-    for (unsigned k = 0; k < dimensions_; ++k)
-        for (unsigned j = 0; j < dimensions_; ++j) of_callers[j] += of_basis[k] * transform_[k][j];
+    // Rows and columns that a slab or a wire lacks are 0.
+    std::array<std::int64_t, 3> of_callers;
+    for (unsigned j = 0; j < 3; ++j)
+        of_callers[j] = of_basis[0] * transform_[0][j] + of_basis[1] * transform_[1][j] +
+                        of_basis[2] * transform_[2][j];
     return of_callers;
+}
+
+double BoxLattice::largest_multiple_of_callers(double of_basis) const {
+    double largest = 0;
+    for (unsigned j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (unsigned k = 0; k < 3; ++k) sum += std::fabs(static_cast<double>(transform_[k][j]));
+        largest = std::max(largest, sum * of_basis);
+    }
+    return largest;
 }
 
 }  // namespace mgdt

@@ -34,9 +34,22 @@ inline Image image_of(std::uint32_t point, const Multiples& k) {
              static_cast<std::int8_t>(k[2]), 0}};
 }
 
-// The order by points, then by multiples.
+// A number for each image. Numbers have the order by points, then by multiples.
+inline std::uint64_t order_of(const Image& image) {
+    const auto part = [&](unsigned c) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(image.of[c]) + 128);
+    };
+    return std::uint64_t{image.point} << 24 | part(0) << 16 | part(1) << 8 | part(2);
+}
+inline Image image_of_order(std::uint64_t order) {
+    const auto multiple = [&](unsigned shift) {
+        return static_cast<std::int32_t>(order >> shift & 0xFF) - 128;
+    };
+    return image_of(static_cast<std::uint32_t>(order >> 24),
+                    {multiple(16), multiple(8), multiple(0)});
+}
 inline bool is_before(const Image& a, const Image& b) {
-    return a.point != b.point ? a.point < b.point : a.multiples() < b.multiples();
+    return order_of(a) < order_of(b);
 }
 
 class Halo {

@@ -109,6 +109,8 @@ void Periodic::wrap(Buffer<double>& wrapped) {
         if (!grid_->wrap(given_.begin() + 3 * i, wrapped.begin() + 3 * i, taken_[i]))
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
                  number(i), ImageGrid::farthest);
+    has_one_shift_ = std::all_of(taken_.begin(), taken_.end(),
+                                 [&](const Multiples& taken) { return taken == taken_[0]; });
 }
 
 void Periodic::build() {
@@ -147,6 +149,14 @@ void Periodic::rounded(std::uint32_t point, double* x) const {
 void Periodic::rounded_vector(std::uint32_t k, double* x) const {
     const double* const vector = grid_->lattice().callers_vector(k);
     for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(vector[c]);
+}
+
+double Periodic::largest_offset() const {
+    std::int32_t most = 0;
+    for (const Multiples& taken : taken_)
+        for (const std::int32_t k : taken) most = std::max(most, std::abs(k));
+    return grid_->lattice().largest_multiple_of_callers(has_one_shift_ ? 256.0
+                                                                       : 256.0 + 2.0 * most);
 }
 
 std::size_t Periodic::vertex_count() const {

@@ -73,7 +73,7 @@ class Periodic {
     const ImageGrid& grid() const noexcept { return *grid_; }
     const Halo& halo() const noexcept { return halo_; }
     const PeriodicTetrahedra& tetrahedra() const { return tetrahedra_.get(halo_); }
-    const VertexNeighbors& neighbors() const { return neighbors_.get(tetrahedra(), point_count()); }
+    const VertexNeighbors& neighbors() const { return neighbors_.get(halo_); }
     // The number of points that are vertices; 0 if there is no triangulation.
     std::size_t vertex_count() const;
     // The least point with the same images.
@@ -82,9 +82,15 @@ class Periodic {
     // caller has put it, to get the image. The image is seen from a point of the box, and so is
     // what is returned from where the caller has put that point.
     std::array<std::int64_t, 3> offset_from(std::uint32_t point, const Image& image) const {
-        return grid_->lattice().multiples_of_callers(image.multiples() + taken_[point] -
-                                                     taken_[image.point]);
+        return grid_->lattice().multiples_of_callers(
+            has_one_shift_ ? image.multiples()
+                           : image.multiples() + taken_[point] - taken_[image.point]);
     }
+    // Whether all points were moved into the box by the same multiples, so that offset_from() does
+    // not depend on points.
+    bool has_one_shift() const { return has_one_shift_; }
+    // No offset of an image or of a neighbour is larger, but for rounding.
+    double largest_offset() const;
     // The multiples of the basis by which a point was moved into the box.
     const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
@@ -112,7 +118,7 @@ class Periodic {
     Halo halo_;
     mutable Cached<PeriodicTetrahedra> tetrahedra_{allocator_};
     mutable Cached<VertexNeighbors> neighbors_{allocator_};
-    bool has_triangulation_ = false;
+    bool has_triangulation_ = false, has_one_shift_ = true;
     mutable Atomic<bool> cancelled_{false};
 };
 

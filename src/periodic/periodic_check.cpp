@@ -217,12 +217,7 @@ void check_periodic(const Periodic& periodic, const Buffer<Record>& tetrahedra,
 }
 
 void check_periodic(const Periodic& periodic, const StopRequest& stop) {
-    Buffer<Record> tetrahedra(periodic.allocator());
-    periodic.tetrahedra().each_record([&](std::size_t i, const Record& record) {
-        stop.poll_in_step(i);
-        tetrahedra.push_back(record);
-    });
-    check_periodic(periodic, tetrahedra, stop);
+    check_periodic(periodic, periodic.tetrahedra().records(), stop);
 }
 
 }  // namespace mgdt

@@ -89,8 +89,6 @@ class Extraction {
 
     void run(const StopRequest& stop) {
         const auto n = static_cast<std::uint32_t>(halo_.own_count());
-        for (std::uint32_t p = 0; p < n; ++p)
-            has_one_shift_ = has_one_shift_ && periodic_.shift_of(p) == common_;
         to_.points.resize(3 * std::size_t{n});
         to_.is_bounded.resize(n);
         to_.volumes.resize(n);
@@ -215,7 +213,7 @@ class Extraction {
         write_vertex(of_halo, x);
         const auto next = static_cast<std::uint32_t>(to_.vertices.size() / 3);
         number = next;
-        if (!has_one_shift_) {
+        if (!periodic_.has_one_shift()) {
             by_place_.reserve(std::size_t{next} + 1);
             number = by_place_.number(hash_of_coordinates(x), [&](std::uint32_t i) {
                 return std::equal(x, x + 3, to_.vertices.begin() + 3 * std::size_t{i}) &&
@@ -299,7 +297,7 @@ class Extraction {
         const std::uint32_t begin = vertex(from_.ray_vertices[of_halo]);
         const auto next = static_cast<std::uint32_t>(to_.ray_vertices.size());
         std::uint32_t number = next;
-        if (!has_one_shift_) {
+        if (!periodic_.has_one_shift()) {
             by_vertex_.reserve(std::size_t{next} + 1);
             number = by_vertex_.number(begin * 0x9E3779B1u, [&](std::uint32_t i) {
                 return to_.ray_vertices[i] == begin && is_same_ray(ray_from_[i], key);
@@ -344,7 +342,6 @@ class Extraction {
     const VoronoiSources& sources_;
     VoronoiDiagram& to_;
     const Multiples common_;
-    bool has_one_shift_ = true;
     // Of the present cell.
     std::uint32_t point_ = 0;
     Multiples shift_ = {};

@@ -2,8 +2,8 @@
 #include "periodic/periodic_tetrahedra.hpp"
 
 #include <algorithm>
-#include <cstring>
 
+#include "parallel/team_lists.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -11,23 +11,26 @@ namespace {
 
 using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
 using Neighbor = PeriodicTetrahedra::Neighbor;
+using Record = PeriodicTetrahedra::Record;
 
-int compare(const Image& a, const Image& b) {
-    return is_before(a, b) ? -1 : is_before(b, a) ? 1 : 0;
-}
+constexpr std::uint32_t none = PeriodicTetrahedra::none;
+constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 8192;
 
-// A tetrahedron and where the mesh has it.
-struct Member {
-    Tetrahedron tetrahedron;
-    TetId slot;
-
-    bool operator<(const Member& other) const {
+// Even permutations of four corners: number 3 i + k brings corner i to the front, and the three
+// others come in cyclic order from one of them on.
+struct Orders {
+    std::uint8_t of[12][4] = {};
+    constexpr Orders() {
+        constexpr std::uint8_t first[4][4] = {
+            {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
         for (unsigned i = 0; i < 4; ++i)
-            if (const int c = compare(tetrahedron.corners[i], other.tetrahedron.corners[i]); c != 0)
-                return c < 0;
-        return false;
+            for (unsigned k = 0; k < 3; ++k) {
+                of[3 * i + k][0] = first[i][0];
+                for (unsigned j = 0; j < 3; ++j) of[3 * i + k][1 + j] = first[i][1 + (k + j) % 3];
+            }
     }
 };
+constexpr Orders orders;
 
 // A side whose neighbour is not in the mesh as a listed tetrahedron: another one of its class is.
 // It has the same facet, moved.
@@ -38,12 +41,14 @@ struct OpenSide {
 
     bool has_facet_of(const OpenSide& other) const {
         for (unsigned i = 0; i < 3; ++i)
-            if (compare(corners[i], other.corners[i]) != 0) return false;
+            if (order_of(corners[i]) != order_of(other.corners[i])) return false;
         return true;
     }
     bool operator<(const OpenSide& other) const {
         for (unsigned i = 0; i < 3; ++i)
-            if (const int c = compare(corners[i], other.corners[i]); c != 0) return c < 0;
+            if (const std::uint64_t a = order_of(corners[i]), b = order_of(other.corners[i]);
+                a != b)
+                return a < b;
         return tetrahedron != other.tetrahedron ? tetrahedron < other.tetrahedron
                                                 : corner < other.corner;
     }
@@ -61,164 +66,173 @@ OpenSide side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
     return side;
 }
 
+// Lists the tetrahedra of the mesh of a halo.
+class Listing {
+  public:
+    Listing(Allocator& allocator, const Halo& halo, Buffer<Record>& records)
+        : halo_(halo),
+          mesh_(halo.triangulation().mesh()),
+          team_(halo.triangulation().threads_for(halo.triangulation().vertex_count(),
+                                                 vertices_per_thread)),
+          records_(records),
+          begin_(allocator),
+          order_(allocator),
+          slots_begin_(allocator),
+          slots_(allocator),
+          number_of_slot_(allocator) {}
+
+    void run() {
+        find();
+        sort();
+        set_neighbors();
+        join_crossings();
+    }
+
+  private:
+    struct Member {
+        std::uint64_t orders[3];  // of corners 1 to 3
+        TetId slot;
+        bool operator<(const Member& other) const {
+            return std::lexicographical_compare(orders, orders + 3, other.orders, other.orders + 3);
+        }
+    };
+    static constexpr std::uint8_t is_no_representative = 0xFF;
+
+    std::uint32_t index_of(VertexId v) const { return mesh_.vertices[v].index; }
+    // The order that brings the corners of a tetrahedron into those of the list.
+    std::uint8_t order_in_list(TetId slot) const {
+        const mgdt::Tetrahedron& t = mesh_.tetrahedra[slot];
+        if (t.is_dead() || t.is_ghost()) return is_no_representative;
+        bool has_own = false;
+        for (const VertexId v : t.v) has_own = has_own || halo_.is_own(index_of(v));
+        if (!has_own) return is_no_representative;
+        unsigned least = 0;
+        for (unsigned i = 1; i < 4; ++i)
+            if (compare_lexicographic(mesh_.point(t.v[i]), mesh_.point(t.v[least])) < 0) least = i;
+        if (!halo_.is_own(index_of(t.v[least]))) return is_no_representative;
+        const auto order_at = [&](unsigned k) {
+            return order_of(halo_.image(index_of(t.v[orders.of[3 * least][k]])));
+        };
+        const std::uint64_t a = order_at(1), b = order_at(2), c = order_at(3);
+        const unsigned turn = b < a ? (c < b ? 2 : 1) : (c < a ? 2 : 0);
+        return static_cast<std::uint8_t>(3 * least + turn);
+    }
+    // Finds the tetrahedra, and lists them by their first corners.
+    void find() {
+        const std::size_t slots = mesh_.tetrahedra.size();
+        order_.resize(slots);
+        team_.split(slots, slots_per_thread, [&](std::size_t from, std::size_t to, unsigned) {
+            for (std::size_t t = from; t < to; ++t)
+                order_[t] = order_in_list(static_cast<TetId>(t));
+        });
+        slots_begin_.resize(mesh_.vertices.size() + 1);
+        make_lists(
+            team_, slots_.allocator(), slots, slots_per_thread, mesh_.vertices.size(),
+            slots_begin_.data(),
+            [&](std::size_t from, std::size_t to, auto f) {
+                for (std::size_t t = from; t < to; ++t)
+                    if (order_[t] != is_no_representative)
+                        f(mesh_.tetrahedra[t].v[orders.of[order_[t]][0]], static_cast<TetId>(t));
+            },
+            [&](std::size_t size) { slots_.resize(size); },
+            [&](std::size_t position, TetId slot) { slots_[position] = slot; });
+        begin_.resize(halo_.own_count() + 1, 0u);
+        each_first_corner([&](std::size_t v, std::uint32_t p) {
+            begin_[p + std::size_t{1}] = slots_begin_[v + 1] - slots_begin_[v];
+        });
+        for (std::size_t p = 0; p < halo_.own_count(); ++p) begin_[p + 1] += begin_[p];
+    }
+    // Calls f(vertex, point) for each point of the box that is the first corner of a tetrahedron.
+    // Vertices with near numbers have near tetrahedra; their points are anywhere in the list.
+    template <class F>
+    void each_first_corner(const F& f) {
+        team_.split(mesh_.vertices.size(), vertices_per_thread,
+                    [&](std::size_t from, std::size_t to, unsigned) {
+                        for (std::size_t v = std::max<std::size_t>(from, 1); v < to; ++v)
+                            if (slots_begin_[v] < slots_begin_[v + 1])
+                                f(v, index_of(static_cast<VertexId>(v)));
+                    });
+    }
+    // Sorts the tetrahedra of each first corner, and writes their corners.
+    void sort() {
+        records_.resize(slots_.size());
+        records_.prefault(0, records_.size());
+        number_of_slot_.resize(mesh_.tetrahedra.size(), none);
+        each_first_corner([&](std::size_t v, std::uint32_t p) {
+            constexpr std::size_t most = 64;  // on the stack; few points have more
+            Member few[most];
+            TetId* const slots = slots_.begin() + slots_begin_[v];
+            const std::size_t size = slots_begin_[v + 1] - slots_begin_[v];
+            Buffer<Member> many(records_.allocator(), size > most ? size : 0);
+            Member* const group = size > most ? many.begin() : few;
+            for (std::size_t i = 0; i < size; ++i) {
+                group[i].slot = slots[i];
+                const mgdt::Tetrahedron& t = mesh_.tetrahedra[slots[i]];
+                const std::uint8_t* const order = orders.of[order_[slots[i]]];
+                for (unsigned k = 0; k < 3; ++k)
+                    group[i].orders[k] = order_of(halo_.image(index_of(t.v[order[1 + k]])));
+            }
+            std::sort(group, group + size);
+            for (std::uint32_t i = 0; i < size; ++i) {
+                Image* const corners = records_[begin_[p] + i].tetrahedron.corners;
+                corners[0] = {p, {}};
+                for (unsigned k = 0; k < 3; ++k)
+                    corners[1 + k] = image_of_order(group[i].orders[k]);
+                slots[i] = group[i].slot;
+                number_of_slot_[slots[i]] = begin_[p] + i;
+            }
+        });
+    }
+    void set_neighbors() {
+        each_first_corner([&](std::size_t v, std::uint32_t p) {
+            Record* record = records_.begin() + begin_[p];
+            for (std::uint32_t i = slots_begin_[v]; i < slots_begin_[v + 1]; ++i, ++record) {
+                const mgdt::Tetrahedron& t = mesh_.tetrahedra[slots_[i]];
+                const std::uint8_t* const order = orders.of[order_[slots_[i]]];
+                for (unsigned k = 0; k < 4; ++k)
+                    record->neighbors[k] = {number_of_slot_[tetrahedron_of(t.n[order[k]])], {}};
+            }
+        });
+    }
+    // Finds the neighbours that the mesh has elsewhere as representatives.
+    void join_crossings() {
+        Buffer<OpenSide> sides(records_.allocator());
+        for (std::uint32_t i = 0; i < records_.size(); ++i)
+            for (unsigned k = 0; k < 4; ++k)
+                if (records_[i].neighbors[k].number == none)
+                    sides.push_back(side_of(records_[i].tetrahedron, i, k));
+        std::sort(sides.begin(), sides.end());
+        const auto join = [&](const OpenSide& side, const OpenSide& other) {
+            Neighbor& n = records_[side.tetrahedron].neighbors[side.corner];
+            n.number = other.tetrahedron;
+            for (unsigned c = 0; c < 3; ++c)
+                n.of[c] = static_cast<std::int8_t>(side.moved[c] - other.moved[c]);
+        };
+        for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+            if (!sides[k].has_facet_of(sides[k + 1])) continue;
+            join(sides[k], sides[k + 1]);
+            join(sides[k + 1], sides[k]);
+            ++k;
+        }
+    }
+
+    const Halo& halo_;
+    const Mesh& mesh_;
+    Team team_;
+    Buffer<Record>& records_;
+    Buffer<std::uint32_t> begin_;  // where the tetrahedra of each first corner begin in the list
+    Buffer<std::uint8_t> order_;   // of each slot
+    // The slots of each vertex that is a first corner, in the order of the list.
+    Buffer<std::uint32_t> slots_begin_;
+    Buffer<TetId> slots_;
+    Buffer<std::uint32_t> number_of_slot_;
+};
+
 }  // namespace
 
-// The position of the lexicographically least corner, if the tetrahedron is the representative of
-// its class; 4 otherwise.
-unsigned PeriodicTetrahedra::first_position(TetId slot) const {
-    const mgdt::Tetrahedron& t = mesh().tetrahedra[slot];
-    if (t.is_dead() || t.is_ghost()) return 4;
-    bool has_own = false;
-    for (const VertexId v : t.v) has_own = has_own || halo_.is_own(mesh().vertices[v].index);
-    if (!has_own) return 4;
-    unsigned least = 0;
-    for (unsigned i = 1; i < 4; ++i)
-        if (compare_lexicographic(mesh().point(t.v[i]), mesh().point(t.v[least])) < 0) least = i;
-    return halo_.is_own(mesh().vertices[t.v[least]].index) ? least : 4;
-}
-
-// The corners of a representative, and their positions in the mesh.
-PeriodicTetrahedra::Tetrahedron PeriodicTetrahedra::read(TetId slot,
-                                                         std::uint8_t (&positions)[4]) const {
-    const mgdt::Tetrahedron& t = mesh().tetrahedra[slot];
-    const unsigned least = first_position(slot);
-    // Even permutations that bring a corner to the front.
-    static constexpr std::uint8_t orders[4][4] = {
-        {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
-    Image image[4];
-    for (unsigned i = 0; i < 4; ++i)
-        image[i] = halo_.image(mesh().vertices[t.v[orders[least][i]]].index);
-    unsigned turn = 0;
-    for (unsigned i = 1; i < 3; ++i)
-        if (is_before(image[1 + i], image[1 + turn])) turn = i;
-    Tetrahedron found;
-    found.corners[0] = image[0];
-    positions[0] = orders[least][0];
-    for (unsigned i = 0; i < 3; ++i) {
-        const unsigned k = 1 + (turn + i) % 3;
-        found.corners[i + 1] = image[k];
-        positions[i + 1] = orders[least][k];
-    }
-    return found;
-}
-
 PeriodicTetrahedra::PeriodicTetrahedra(Allocator& allocator, const Halo& halo)
-    : halo_(halo), slots_(allocator), number_of_slot_(allocator), crossings_(allocator) {
-    if (halo.own_count() == 0) return;
-    Buffer<std::uint32_t> begin(allocator);
-    find(begin);
-    sort(begin);
-    find_crossings();
-}
-
-// Finds the tetrahedra and puts them in the order of their first corners. begin[p] is where those
-// of point p begin.
-void PeriodicTetrahedra::find(Buffer<std::uint32_t>& begin) {
-    struct Found {
-        TetId slot;
-        std::uint32_t first;  // the first corner
-    };
-    Buffer<Found> found(begin.allocator());
-    const std::size_t n = halo_.own_count();
-    begin.resize(n + 1, 0u);
-    for (TetId t = 0; t < mesh().tetrahedra.size(); ++t) {
-        const unsigned position = first_position(t);
-        if (position == 4) continue;
-        const std::uint32_t first = mesh().vertices[mesh().tetrahedra[t].v[position]].index;
-        found.push_back({t, first});
-        ++begin[first];
-    }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
-    slots_.resize(found.size());
-    for (const Found& f : found) slots_[begin[f.first]++] = f.slot;
-    for (std::size_t p = n; p > 0; --p) begin[p] = begin[p - 1];
-    begin[0] = 0;
-}
-
-// Tetrahedra with consecutive numbers are anywhere in memory.
-void PeriodicTetrahedra::prefetch(std::size_t i) const {
-    constexpr std::size_t far = 24, near = 8;
-    if (i + far < slots_.size()) mesh().tetrahedra.prefetch(slots_[i + far]);
-    if (i + near >= slots_.size()) return;
-    for (const VertexId v : mesh().tetrahedra[slots_[i + near]].v)
-        mgdt::prefetch(&mesh().vertices[v]);
-}
-
-// Sorts the tetrahedra of each first corner.
-void PeriodicTetrahedra::sort(const Buffer<std::uint32_t>& begin) {
-    number_of_slot_.resize(mesh().tetrahedra.size(), none);
-    Buffer<Member> group(begin.allocator());
-    for (std::size_t p = 0; p < halo_.own_count(); ++p) {
-        group.clear();
-        for (std::uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
-            prefetch(i);
-            std::uint8_t positions[4];
-            group.push_back({read(slots_[i], positions), slots_[i]});
-        }
-        std::sort(group.begin(), group.end());
-        for (std::uint32_t k = 0; k < group.size(); ++k) {
-            slots_[begin[p] + k] = group[k].slot;
-            number_of_slot_[group[k].slot] = begin[p] + k;
-        }
-    }
-}
-
-void PeriodicTetrahedra::find_crossings() {
-    Buffer<OpenSide> sides(crossings_.allocator());
-    for (TetId slot = 0; slot < number_of_slot_.size(); ++slot) {
-        const std::uint32_t number = number_of_slot_[slot];
-        if (number == none) continue;
-        bool is_inside = true;
-        for (const FacetCode across : mesh().tetrahedra[slot].n)
-            is_inside = is_inside && number_of_slot_[tetrahedron_of(across)] != none;
-        if (is_inside) continue;
-        std::uint8_t positions[4];
-        const Tetrahedron t = read(slot, positions);
-        for (unsigned corner = 0; corner < 4; ++corner)
-            if (number_of_slot_[tetrahedron_of(mesh().tetrahedra[slot].n[positions[corner]])] ==
-                none)
-                sides.push_back(side_of(t, number, corner));
-    }
-    std::sort(sides.begin(), sides.end());
-    const auto join = [&](const OpenSide& side, const OpenSide& other) {
-        Neighbor n = {other.tetrahedron, {}};
-        for (unsigned c = 0; c < 3; ++c)
-            n.of[c] = static_cast<std::int8_t>(side.moved[c] - other.moved[c]);
-        crossings_.push_back({std::uint64_t{4} * side.tetrahedron + side.corner, n});
-    };
-    for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-        const OpenSide &a = sides[k], &b = sides[k + 1];
-        if (!a.has_facet_of(b)) continue;
-        join(a, b);
-        join(b, a);
-        ++k;
-    }
-    std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.side < b.side; });
-}
-
-PeriodicTetrahedra::Tetrahedron PeriodicTetrahedra::operator[](std::size_t i) const {
-    std::uint8_t positions[4];
-    return read(slots_[i], positions);
-}
-
-PeriodicTetrahedra::Record PeriodicTetrahedra::record(std::size_t i) const {
-    Record record;
-    std::uint8_t positions[4];
-    record.tetrahedron = read(slots_[i], positions);
-    for (unsigned corner = 0; corner < 4; ++corner) {
-        const FacetCode across = mesh().tetrahedra[slots_[i]].n[positions[corner]];
-        Neighbor& neighbor = record.neighbors[corner];
-        neighbor = {number_of_slot_[tetrahedron_of(across)], {}};
-        if (neighbor.number != none) continue;
-        const std::uint64_t side = 4 * std::uint64_t{i} + corner;
-        const Crossing* const found =
-            std::lower_bound(crossings_.begin(), crossings_.end(), side,
-                             [](const Crossing& c, std::uint64_t s) { return c.side < s; });
-        if (found != crossings_.end() && found->side == side) neighbor = found->neighbor;
-    }
-    return record;
+    : records_(allocator) {
+    if (halo.own_count() > 0) Listing(allocator, halo, records_).run();
 }
 
 }  // namespace mgdt

@@ -3,50 +3,65 @@
 
 #include <algorithm>
 
+#include "query/edge_lists.hpp"
+
 namespace mgdt {
-namespace {
 
-bool is_same(const Image& a, const Image& b) {
-    return !is_before(a, b) && !is_before(b, a);
-}
-
-}  // namespace
-
-VertexNeighbors::VertexNeighbors(Allocator& allocator, const PeriodicTetrahedra& tetrahedra,
-                                 std::size_t points)
+// The star of a point of the box is complete in the triangulation of the points and their halo.
+VertexNeighbors::VertexNeighbors(Allocator& allocator, const Halo& halo)
     : begin(allocator), images(allocator) {
-    // The tetrahedra at each point: four times the number, plus the corner.
-    Buffer<std::uint64_t> first(allocator), corners(allocator);
-    first.resize(points + 1, std::uint64_t{0});
-    const auto each_corner = [&](const auto& f) {
-        tetrahedra.each_tetrahedron([&](std::size_t i, const PeriodicTetrahedra::Tetrahedron& t) {
-            for (unsigned k = 0; k < 4; ++k) f(t.corners[k].point, 4 * i + k);
-        });
-    };
-    each_corner([&](std::uint32_t point, std::size_t) { ++first[point + std::size_t{1}]; });
-    for (std::size_t p = 0; p < points; ++p) first[p + 1] += first[p];
-    corners.resize(static_cast<std::size_t>(first[points]));
-    each_corner([&](std::uint32_t point, std::size_t corner) { corners[first[point]++] = corner; });
+    const std::size_t points = halo.own_count();
     begin.resize(points + 1, std::uint64_t{0});
-    Buffer<Image> found(allocator);
-    std::uint64_t from = 0;
-    for (std::size_t p = 0; p < points; ++p) {
-        found.clear();
-        for (std::uint64_t i = from; i < first[p]; ++i) {
-            const PeriodicTetrahedra::Tetrahedron t =
-                tetrahedra[static_cast<std::size_t>(corners[i] / 4)];
-            const Image* const of = t.corners;
-            const auto own = static_cast<unsigned>(corners[i] % 4);
-            for (unsigned k = 0; k < 4; ++k)
-                if (k != own)
-                    found.push_back(image_of(of[k].point, of[k].multiples() - of[own].multiples()));
+    if (points == 0 || halo.triangulation().dimension() < 3) return;
+    constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 16384;
+    const Mesh& mesh = halo.triangulation().mesh();
+    const std::size_t vertices = mesh.vertices.size();
+    Team team(halo.triangulation().threads_for(mesh.tetrahedra.size(), slots_per_thread));
+    // By vertices first, since vertices with near numbers are near each other.
+    Buffer<std::uint64_t> ends(allocator), found(allocator);
+    ends.resize(vertices + 1);
+    const auto index = [&](std::size_t v) { return mesh.vertices[static_cast<VertexId>(v)].index; };
+    make_lists(
+        team, allocator, mesh.tetrahedra.size(), slots_per_thread, vertices, ends.data(),
+        [&](std::size_t from, std::size_t to, auto f) {
+            for_each_edge(
+                mesh, from, to, [](VertexId v) { return v; },
+                [&](VertexId a, VertexId b) {
+                    const std::uint32_t of_a = index(a), of_b = index(b);
+                    if (halo.is_own(of_a)) f(a, of_b);
+                    if (halo.is_own(of_b)) f(b, of_a);
+                });
+        },
+        [&](std::size_t size) {
+            found.resize(size);
+            found.prefault(0, size);
+        },
+        [&](std::size_t position, std::uint32_t other) {
+            found[position] = order_of(halo.image(other));
+        });
+    // Few edges are found twice.
+    team.split(vertices, vertices_per_thread, [&](std::size_t from, std::size_t to, unsigned) {
+        for (std::size_t v = from; v < to; ++v) {
+            if (ends[v] == ends[v + 1]) continue;
+            std::uint64_t* const first = found.begin() + ends[v];
+            std::uint64_t* const last = found.begin() + ends[v + 1];
+            std::sort(first, last);
+            begin[index(v) + std::size_t{1}] =
+                static_cast<std::uint64_t>(std::unique(first, last) - first);
         }
-        from = first[p];
-        std::sort(found.begin(), found.end(), is_before);
-        const Image* const end = std::unique(found.begin(), found.end(), is_same);
-        for (const Image* image = found.begin(); image != end; ++image) images.push_back(*image);
-        begin[p + 1] = images.size();
-    }
+    });
+    for (std::size_t p = 0; p < points; ++p) begin[p + 1] += begin[p];
+    images.resize(static_cast<std::size_t>(begin[points]));
+    images.prefault(0, images.size());
+    team.split(vertices, vertices_per_thread, [&](std::size_t from, std::size_t to, unsigned) {
+        for (std::size_t v = from; v < to; ++v) {
+            if (ends[v] == ends[v + 1]) continue;
+            const std::uint32_t p = index(v);
+            const std::uint64_t* const first = found.begin() + ends[v];
+            std::transform(first, first + (begin[p + std::size_t{1}] - begin[p]),
+                           images.begin() + begin[p], image_of_order);
+        }
+    });
 }
 
 }  // namespace mgdt

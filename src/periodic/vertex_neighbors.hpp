@@ -3,13 +3,12 @@
 // of its edges.
 #pragma once
 
-#include "periodic/periodic_tetrahedra.hpp"
+#include "periodic/halo.hpp"
 
 namespace mgdt {
 
 struct VertexNeighbors {
-    // Of the points with numbers below `points`.
-    VertexNeighbors(Allocator& allocator, const PeriodicTetrahedra& tetrahedra, std::size_t points);
+    VertexNeighbors(Allocator& allocator, const Halo& halo);
 
     Buffer<std::uint64_t> begin;  // where the neighbours of each point begin, and the end
     // By point, then by multiples, relative to the vertex in the box.

@@ -39,9 +39,7 @@ struct Built : Periodic {
         build();
     }
     Records records() const {
-        Records all;
-        tetrahedra().each_record([&](std::size_t, const Record& record) { all.push_back(record); });
-        return all;
+        return Records(tetrahedra().records().begin(), tetrahedra().records().end());
     }
     // What the check says of tetrahedra; empty if they are right.
     std::string complaint(const Records& records) const {

@@ -309,7 +309,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
         EXPECT_TRUE(corners == as_given);  // the least corner is in the box already
         EXPECT_TRUE(found.insert(corners).second);
         for (unsigned k = 0; k < 4; ++k) {
-            const PeriodicTetrahedra::Neighbor n = all.record(i).neighbors[k];
+            const PeriodicTetrahedra::Neighbor n = all.records()[i].neighbors[k];
             if (n.number == PeriodicTetrahedra::none) {
                 EXPECT_LT(wrapped.lattice.dimensions(), 3u);
                 continue;
@@ -327,7 +327,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
                     apex = l;
             }
             EXPECT_EQ(shared, 3u);
-            const PeriodicTetrahedra::Neighbor back = all.record(n.number).neighbors[apex];
+            const PeriodicTetrahedra::Neighbor back = all.records()[n.number].neighbors[apex];
             EXPECT_EQ(back.number, i);
             for (unsigned c = 0; c < 3; ++c) EXPECT_EQ(back.of[c], -n.of[c]);
         }
