@@ -72,10 +72,12 @@ module mgdt
               mgdt_outside_linear
     public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
               mgdt_voronoi_face_images, mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, &
-              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, &
+              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_cell_neighbors, &
+              mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
               mgdt_voronoi_ray_directions, mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, &
               mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
-              mgdt_voronoi_cell_centroids
+              mgdt_voronoi_cell_centroids, mgdt_voronoi_cell_face_areas, &
+              mgdt_voronoi_cell_neighbor_distances
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
               mgdt_domain_round_points, mgdt_domain_strict

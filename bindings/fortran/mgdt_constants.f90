@@ -233,6 +233,14 @@ module mgdt_constants
     integer, parameter :: mgdt_voronoi_cell_faces = 31
     ! For each point 1 if it has a cell and this cell is bounded, otherwise 0.
     integer, parameter :: mgdt_voronoi_cell_bounded = 32
+    ! For each element of MGDT_VORONOI_CELL_FACES what is on the other side of the face: a point, or
+    ! -1 - k for plane k. With MGDT_VORONOI_CELL_OFFSETS, MGDT_VORONOI_CELL_FACE_AREAS and
+    ! MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES this is a list of neighbours with weights; a point may be
+    ! in the list of a cell of a periodic box several times, as different images.
+    integer, parameter :: mgdt_voronoi_cell_neighbors = 33
+    ! Three elements for each of these: how often each vector of the box has to be added to the
+    ! point to get the image that is the neighbour. Empty if there is no box.
+    integer, parameter :: mgdt_voronoi_cell_neighbor_images = 34
     ! 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range of
     ! doubles is infinite.
     integer, parameter :: mgdt_voronoi_vertices = 50
@@ -256,6 +264,13 @@ module mgdt_constants
     ! 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
     ! infinite for an unbounded cell, and 0 for a point without a cell.
     integer, parameter :: mgdt_voronoi_cell_centroids = 71
+    ! For each element of MGDT_VORONOI_CELL_FACES the area of the face.
+    integer, parameter :: mgdt_voronoi_cell_face_areas = 72
+    ! For each element of MGDT_VORONOI_CELL_FACES the distance of the cell's point from the point on
+    ! the other side, with an error of at most 1e-15 times the distance; or from the plane there,
+    ! with an error of at most 1e-15 times the sum of the distance and the point's largest
+    ! coordinate.
+    integer, parameter :: mgdt_voronoi_cell_neighbor_distances = 73
 
     ! Kinds.
     integer, parameter :: mgdt_domain_kind_facet = 0

@@ -23,10 +23,12 @@ module mgdt_voronoi
     ! The constants; mgdt_constants.f90 says what they mean.
     public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
               mgdt_voronoi_face_images, mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, &
-              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, &
+              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_cell_neighbors, &
+              mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
               mgdt_voronoi_ray_directions, mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, &
               mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
-              mgdt_voronoi_cell_centroids
+              mgdt_voronoi_cell_centroids, mgdt_voronoi_cell_face_areas, &
+              mgdt_voronoi_cell_neighbor_distances
 
     ! A diagram, which does not change with the triangulation that it was made from. It frees what
     ! it holds when it goes out of scope. It cannot be copied.
@@ -336,8 +338,8 @@ contains
         select case (array)
         case (mgdt_voronoi_face_sides)
             width = 2
-        case (mgdt_voronoi_face_images, mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, &
-              mgdt_voronoi_face_normals, &
+        case (mgdt_voronoi_face_images, mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
+              mgdt_voronoi_ray_directions, mgdt_voronoi_face_normals, &
               mgdt_voronoi_face_centroids, mgdt_voronoi_cell_centroids)
             width = 3
         case default

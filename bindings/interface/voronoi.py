@@ -22,6 +22,8 @@ VORONOI = Description(
         "MGDT_VORONOI_CELL_OFFSETS": "MGVCOF",
         "MGDT_VORONOI_CELL_FACES": "MGVCFA",
         "MGDT_VORONOI_CELL_BOUNDED": "MGVCBO",
+        "MGDT_VORONOI_CELL_NEIGHBORS": "MGVCNB",
+        "MGDT_VORONOI_CELL_NEIGHBOR_IMAGES": "MGVCIM",
         "MGDT_VORONOI_VERTICES": "MGVVTX",
         "MGDT_VORONOI_RAY_DIRECTIONS": "MGVRDI",
         "MGDT_VORONOI_FACE_AREAS": "MGVFAR",
@@ -29,6 +31,8 @@ VORONOI = Description(
         "MGDT_VORONOI_FACE_CENTROIDS": "MGVFCE",
         "MGDT_VORONOI_CELL_VOLUMES": "MGVCVO",
         "MGDT_VORONOI_CELL_CENTROIDS": "MGVCCE",
+        "MGDT_VORONOI_CELL_FACE_AREAS": "MGVCAR",
+        "MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES": "MGVCDI",
     },
     long=frozenset({"mgdt_voronoi_create", "mgdt_voronoi_drop_small_faces"}),
     short=frozenset({"mgdt_voronoi_get_error"}))

@@ -60,6 +60,10 @@ static mxArray* take_diagram(double area, double share) {
                   {"cell_offsets", MGDT_VORONOI_CELL_OFFSETS, 1},
                   {"cell_faces", MGDT_VORONOI_CELL_FACES, 1},
                   {"cell_bounded", MGDT_VORONOI_CELL_BOUNDED, 1},
+                  {"cell_neighbors", MGDT_VORONOI_CELL_NEIGHBORS, 1},
+                  {"cell_neighbor_images", MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, 3},
+                  {"cell_face_areas", MGDT_VORONOI_CELL_FACE_AREAS, 1},
+                  {"cell_neighbor_distances", MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, 1},
                   {"cell_volumes", MGDT_VORONOI_CELL_VOLUMES, 1},
                   {"cell_centroids", MGDT_VORONOI_CELL_CENTROIDS, 3}};
     enum { count = sizeof arrays / sizeof *arrays };

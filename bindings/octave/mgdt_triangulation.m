@@ -242,10 +242,13 @@ classdef mgdt_triangulation < handle
     % The Voronoi diagram of the points, a struct of matrices with a row for each vertex, face, ray or
     % point: vertices, face_offsets, face_corners, face_sides, face_areas, face_normals,
     % face_centroids, ray_vertices, ray_directions, cell_offsets, cell_faces, cell_bounded,
-    % cell_volumes, cell_centroids. The corners of face k are
+    % cell_volumes, cell_centroids, cell_neighbors, cell_face_areas, cell_neighbor_distances. The corners of face
+    % k are
     % v.face_corners(v.face_offsets(k):v.face_offsets(k+1)-1): rows of vertices, or rays: -r is row r
     % of ray_vertices. The faces of the cell of a point are in cell_faces in the same way. The sides
-    % of a face are two points, or a point and -p, row p of the planes. Cells are clipped as by
+    % of a face are two points, or a point and -p, row p of the planes. cell_neighbors, cell_face_areas and
+    % cell_neighbor_distances have a row for each row of cell_faces: the other side of the face, its area, and
+    % the distance of the cell's point from that side. Cells are clipped as by
     % cell_measures. Faces with less area than least_area are left out, and those with less than
     % least_share of the area of each of their cells. Since 1.3.
     function v = voronoi (t, planes, least_area, least_share)

@@ -34,7 +34,7 @@ extern "C" {
 /** A handle of a Voronoi diagram. The struct is opaque; mgdt_voronoi_create() makes one. */
 typedef struct mgdt_voronoi mgdt_voronoi;
 
-/** Arrays of a diagram. Those up to MGDT_VORONOI_CELL_BOUNDED have integers, for
+/** Arrays of a diagram. Those up to MGDT_VORONOI_CELL_NEIGHBOR_IMAGES have integers, for
  *  mgdt_voronoi_get_array(); the others have doubles, for mgdt_voronoi_get_doubles(). Vertices,
  *  rays and faces are numbered from the index base that the triangulation had. Cells have the
  *  indices of the points. An array of offsets has one element more than there are lists: list k is
@@ -63,6 +63,14 @@ enum {
     MGDT_VORONOI_CELL_FACES = 31, /**< The faces of each cell, in ascending order. */
     /** For each point 1 if it has a cell and this cell is bounded, otherwise 0. */
     MGDT_VORONOI_CELL_BOUNDED = 32,
+    /** For each element of MGDT_VORONOI_CELL_FACES what is on the other side of the face: a point,
+     *  or -1 - k for plane k. With MGDT_VORONOI_CELL_OFFSETS, MGDT_VORONOI_CELL_FACE_AREAS and
+     *  MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES this is a list of neighbours with weights; a point may
+     * be in the list of a cell of a periodic box several times, as different images. */
+    MGDT_VORONOI_CELL_NEIGHBORS = 33,
+    /** Three elements for each of these: how often each vector of the box has to be added to the
+     *  point to get the image that is the neighbour. Empty if there is no box. */
+    MGDT_VORONOI_CELL_NEIGHBOR_IMAGES = 34,
     /** 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range
      *  of doubles is infinite. */
     MGDT_VORONOI_VERTICES = 50,
@@ -85,7 +93,14 @@ enum {
     MGDT_VORONOI_CELL_VOLUMES = 70,
     /** 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
      *  infinite for an unbounded cell, and 0 for a point without a cell. */
-    MGDT_VORONOI_CELL_CENTROIDS = 71
+    MGDT_VORONOI_CELL_CENTROIDS = 71,
+    /** For each element of MGDT_VORONOI_CELL_FACES the area of the face. */
+    MGDT_VORONOI_CELL_FACE_AREAS = 72,
+    /** For each element of MGDT_VORONOI_CELL_FACES the distance of the cell's point from the point
+     *  on the other side, with an error of at most 1e-15 times the distance; or from the plane
+     *  there, with an error of at most 1e-15 times the sum of the distance and the point's largest
+     *  coordinate. */
+    MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES = 73
 };
 
 /** Makes the Voronoi diagram of the points in a triangulation. It uses as many threads as the

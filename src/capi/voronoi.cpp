@@ -58,7 +58,12 @@ std::size_t size_of(const VoronoiDiagram& d, std::int32_t array) {
         case MGDT_VORONOI_CELL_OFFSETS:
             return d.cell_begin.size();
         case MGDT_VORONOI_CELL_FACES:
+        case MGDT_VORONOI_CELL_NEIGHBORS:
+        case MGDT_VORONOI_CELL_FACE_AREAS:
+        case MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES:
             return d.cell_faces.size();
+        case MGDT_VORONOI_CELL_NEIGHBOR_IMAGES:
+            return d.face_images.empty() ? 0 : 3 * d.cell_faces.size();
         case MGDT_VORONOI_CELL_BOUNDED:
             return d.is_bounded.size();
         case MGDT_VORONOI_VERTICES:
@@ -90,11 +95,20 @@ void write(const mgdt_voronoi& v, std::int32_t array, Int* out) {
     // Rays and planes, which have a flag, become -1, -2, ...
     constexpr std::uint32_t flag = VoronoiDiagram::ray;
     static_assert(flag == VoronoiDiagram::plane);
+    const auto unflagged = [&](std::uint32_t x) {
+        return static_cast<Int>((x & flag) != 0 ? -1 - static_cast<std::int64_t>(x & ~flag)
+                                                : static_cast<std::int64_t>(x) + base);
+    };
     const auto flagged = [&](const Buffer<std::uint32_t>& from) {
-        for (std::size_t i = 0; i < from.size(); ++i)
-            out[i] = static_cast<Int>((from[i] & flag) != 0
-                                          ? -1 - static_cast<std::int64_t>(from[i] & ~flag)
-                                          : static_cast<std::int64_t>(from[i]) + base);
+        for (std::size_t i = 0; i < from.size(); ++i) out[i] = unflagged(from[i]);
+    };
+    // Calls f(face, side) for each face of each cell, where `side`, 0 or 1, is that of the cell.
+    // The same point may be on both sides, as different images: the first side is the cell's then.
+    const auto each_face_of_cell = [&](const auto& f) {
+        for (std::size_t cell = 0; cell < d.cell_count(); ++cell)
+            for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i)
+                f(std::size_t{d.cell_faces[i]},
+                  d.face_sides[2 * std::size_t{d.cell_faces[i]}] == cell ? 0u : 1u);
     };
     switch (array) {
         case MGDT_VORONOI_FACE_OFFSETS:
@@ -112,6 +126,17 @@ void write(const mgdt_voronoi& v, std::int32_t array, Int* out) {
             return numbers(d.cell_begin);
         case MGDT_VORONOI_CELL_FACES:
             return numbers(d.cell_faces);
+        case MGDT_VORONOI_CELL_NEIGHBORS:
+            return each_face_of_cell([&](std::size_t face, unsigned side) {
+                *out++ = unflagged(d.face_sides[2 * face + 1 - side]);
+            });
+        case MGDT_VORONOI_CELL_NEIGHBOR_IMAGES:
+            return each_face_of_cell([&](std::size_t face, unsigned side) {
+                for (unsigned c = 0; c < 3; ++c) {
+                    const std::int64_t k = d.face_images[3 * face + c];
+                    *out++ = static_cast<Int>(side == 0 ? k : -k);
+                }
+            });
         default:
             std::copy_n(d.is_bounded.begin(), d.is_bounded.size(), out);
     }
@@ -132,9 +157,9 @@ void get_integers(const mgdt_voronoi* v, std::int32_t array, std::int64_t capaci
     if (most > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
         fail(MGDT_ERR_INDEX_RANGE, "numbers up to %llu do not fit a 32-bit integer",
              static_cast<unsigned long long>(most));
-    if (array == MGDT_VORONOI_FACE_IMAGES)
+    if (array == MGDT_VORONOI_FACE_IMAGES || array == MGDT_VORONOI_CELL_NEIGHBOR_IMAGES)
         for (const std::int64_t k : v->diagram.face_images)
-            if (k < std::numeric_limits<Int>::min() || k > std::numeric_limits<Int>::max())
+            if (std::abs(k) > std::numeric_limits<Int>::max())
                 fail(MGDT_ERR_INDEX_RANGE, "%lld does not fit a 32-bit integer",
                      static_cast<long long>(k));
     require_capacity(capacity, size, "values");
@@ -160,6 +185,11 @@ void write_doubles(const VoronoiDiagram& d, std::int32_t array, double* out) {
             return copy(d.face_centroids);
         case MGDT_VORONOI_CELL_VOLUMES:
             return copy(d.volumes);
+        case MGDT_VORONOI_CELL_FACE_AREAS:
+            for (const std::uint32_t face : d.cell_faces) *out++ = d.areas[face];
+            return;
+        case MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES:
+            return write_distances(d, out);
         default:
             return copy(d.cell_centroids);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "predicates/differences.hpp"
+#include "predicates/twofold.hpp"
 
 namespace mgdt {
 
@@ -19,6 +20,18 @@ void write_unit_vector(const double (&way)[3], double* out) {
     for (int k = 0; k < 3; ++k) out[k] = x[k] / std::sqrt(squares);
 }
 
+double length_of(const double (&way)[3]) {
+    const double largest = exact::largest_of<0, 3>(way);
+    if (!(largest > 0) || std::isinf(largest)) return largest;
+    const int exponent = std::ilogb(largest);
+    double squares = 0;
+    for (const double of : way) {
+        const double x = std::ldexp(of, -exponent);
+        squares += x * x;
+    }
+    return std::ldexp(std::sqrt(squares), exponent);
+}
+
 void make_empty(std::size_t points, VoronoiDiagram& d) {
     d.points.resize(3 * points, 0.0);
     d.face_begin.resize(1, std::uint64_t{0});
@@ -26,6 +39,57 @@ void make_empty(std::size_t points, VoronoiDiagram& d) {
     d.is_bounded.resize(points, std::uint8_t{0});
     d.volumes.resize(points, 0.0);
     d.cell_centroids.resize(3 * points, 0.0);
+}
+
+namespace {
+
+double distance_of_points(const double* a, const double* b) {
+    double way[3];
+    for (int k = 0; k < 3; ++k) way[k] = b[k] - a[k];
+    if (std::isfinite(way[0] + way[1] + way[2])) return length_of(way);
+    // Halves do not overflow.
+    for (int k = 0; k < 3; ++k) way[k] = 0.5 * b[k] - 0.5 * a[k];
+    return 2 * length_of(way);
+}
+
+// The distance of a point from the plane a x + b y + c z = d, which is not on the other side.
+double distance_from_plane(const double* point, const double* plane) {
+    const double normal[3] = {plane[0], plane[1], plane[2]};
+    const int of_normal = std::ilogb(exact::largest_of<0, 3>(normal));
+    // Brings the largest coordinate of the normal and the largest of the other terms near to 1.
+    const double offset = std::ldexp(plane[3], -of_normal);
+    const double terms[4] = {point[0], point[1], point[2], offset};
+    double largest = 0, unit[3];
+    for (const double x : terms) largest = std::max(largest, std::fabs(x));
+    if (!(largest > 0) || std::isinf(largest)) return largest;
+    const int of_terms = std::ilogb(largest);
+    Twofold sum = {std::ldexp(offset, -of_terms), 0};
+    for (int k = 0; k < 3; ++k) {
+        unit[k] = std::ldexp(normal[k], -of_normal);
+        sum = sum - Twofold::product(unit[k], std::ldexp(point[k], -of_terms));
+    }
+    const double height = std::fabs(sum.high + sum.low);
+    return std::ldexp(height / length_of(unit), of_terms);
+}
+
+}  // namespace
+
+void write_distances(const VoronoiDiagram& d, double* out) {
+    for (std::size_t cell = 0; cell < d.cell_count(); ++cell) {
+        const double* const point = d.points.begin() + 3 * cell;
+        for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i) {
+            const std::size_t face = d.cell_faces[i];
+            const std::uint32_t* const sides = d.face_sides.begin() + 2 * face;
+            const std::uint32_t other = sides[0] == cell ? sides[1] : sides[0];
+            if (!d.face_distances.empty())
+                *out++ = d.face_distances[face];
+            else if (is_plane(other))
+                *out++ = distance_from_plane(
+                    point, d.planes.begin() + 4 * std::size_t{other & ~VoronoiDiagram::plane});
+            else
+                *out++ = distance_of_points(point, d.points.begin() + 3 * std::size_t{other});
+        }
+    }
 }
 
 void write_normals(const VoronoiDiagram& d, double* out) {
@@ -95,6 +159,7 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
         if (d.face_images.empty()) continue;
         std::copy_n(d.face_images.begin() + 3 * f, 3, d.face_images.begin() + 3 * to);
         std::copy_n(d.face_normals.begin() + 3 * f, 3, d.face_normals.begin() + 3 * to);
+        d.face_distances[to] = d.face_distances[f];
     }
     d.face_begin[kept] = corners;
     std::uint64_t listed = 0;
@@ -114,6 +179,7 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     if (!d.face_images.empty()) {
         d.face_images.resize(3 * std::size_t{kept});
         d.face_normals.resize(3 * std::size_t{kept});
+        d.face_distances.resize(kept);
     }
     d.cell_faces.resize(static_cast<std::size_t>(listed));
 }

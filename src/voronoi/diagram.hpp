@@ -22,6 +22,7 @@ struct VoronoiDiagram {
           face_centroids(allocator),
           face_images(allocator),
           face_normals(allocator),
+          face_distances(allocator),
           cell_begin(allocator),
           cell_faces(allocator),
           is_bounded(allocator),
@@ -48,10 +49,10 @@ struct VoronoiDiagram {
     Buffer<std::uint32_t> face_sides;  // the two points of each face, or a point and a plane
     Buffer<double> areas, face_centroids;
     // Of points in a periodic box, and otherwise empty: for each face three numbers, how often each
-    // of the caller's vectors has to be added to the second side to get its image at the face, and
-    // the normal.
+    // of the caller's vectors has to be added to the second side to get its image at the face, the
+    // normal, and the distance of the two sides.
     Buffer<std::int64_t> face_images;
-    Buffer<double> face_normals;
+    Buffer<double> face_normals, face_distances;
     Buffer<std::uint64_t> cell_begin;  // where the faces of each cell begin, and the end
     Buffer<std::uint32_t> cell_faces;
     Buffer<std::uint8_t> is_bounded;
@@ -67,6 +68,10 @@ inline bool is_plane(std::uint32_t side) noexcept {
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
 // Writes a vector divided by its length, whatever its magnitude.
 void write_unit_vector(const double (&way)[3], double* out);
+// The length of a vector, whatever its magnitude.
+double length_of(const double (&way)[3]);
+// Writes, for each face of each cell, the distance of the cell's point from the other side.
+void write_distances(const VoronoiDiagram& diagram, double* out);
 // Writes the unit normal of each face, from its first side to the second one.
 void write_normals(const VoronoiDiagram& diagram, double* out);
 // Removes the faces whose area is less than `area`, or, for each of their cells, less than

@@ -215,8 +215,8 @@ static void cells(void) {
     const double vectors[9] = {0, 1, 1, 1, 0, 1, 1, 1, 0}, at[3] = {10.25, -3, 0.5};
     mgdt_periodic* p = NULL;
     mgdt_voronoi* v = NULL;
-    double measure[3], normals[36], areas[12];
-    int64_t images[36], sides[24], faces[12], size = 0, i;
+    double measure[3], normals[36], distances[12], areas[12];
+    int64_t images[36], sides[24], faces[12], neighbors[12], of_cells[36], size = 0, i;
     CHECK_EQUAL(mgdt_periodic_create(3, vectors, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, at), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
@@ -239,12 +239,20 @@ static void cells(void) {
     CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_SIDES, 24, sides), MGDT_OK);
     CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_FACES, 12, faces), MGDT_OK);
     CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_FACE_NORMALS, 36, normals), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_NEIGHBORS, 12, neighbors), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, 36, of_cells),
+                MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, 12, distances),
+                MGDT_OK);
     for (i = 0; i < 12; ++i) {
         double way[3], product = 0, square = 0;
         int64_t c, k;
         CHECK_EQUAL(sides[2 * i], 0);
         CHECK_EQUAL(sides[2 * i + 1], 0);
         CHECK_EQUAL(faces[i], i);
+        CHECK_EQUAL(neighbors[i], 0);
+        CHECK(distances[i] > 1.4142135 && distances[i] < 1.4142136);
+        for (c = 0; c < 3; ++c) CHECK_EQUAL(of_cells[3 * i + c], images[3 * i + c]);
         for (c = 0; c < 3; ++c) {
             way[c] = 0;
             for (k = 0; k < 3; ++k) way[c] += (double)images[3 * i + k] * vectors[3 * k + c];

@@ -12,14 +12,19 @@
 
 static const double cube[24] = {1, 0,  0, 1, -1, 0, 0, 0, 0, 1, 0,  1,
                                 0, -1, 0, 0, 0,  0, 1, 1, 0, 0, -1, 0};
-static const int32_t integers[7] = {MGDT_VORONOI_FACE_OFFSETS, MGDT_VORONOI_FACE_CORNERS,
-                                    MGDT_VORONOI_FACE_SIDES,   MGDT_VORONOI_RAY_VERTICES,
-                                    MGDT_VORONOI_CELL_OFFSETS, MGDT_VORONOI_CELL_FACES,
-                                    MGDT_VORONOI_CELL_BOUNDED};
-static const int32_t doubles[7] = {MGDT_VORONOI_VERTICES,       MGDT_VORONOI_RAY_DIRECTIONS,
-                                   MGDT_VORONOI_FACE_AREAS,     MGDT_VORONOI_FACE_NORMALS,
-                                   MGDT_VORONOI_FACE_CENTROIDS, MGDT_VORONOI_CELL_VOLUMES,
-                                   MGDT_VORONOI_CELL_CENTROIDS};
+static const int32_t integers[9] = {
+    MGDT_VORONOI_FACE_OFFSETS, MGDT_VORONOI_FACE_CORNERS,   MGDT_VORONOI_FACE_SIDES,
+    MGDT_VORONOI_RAY_VERTICES, MGDT_VORONOI_CELL_OFFSETS,   MGDT_VORONOI_CELL_FACES,
+    MGDT_VORONOI_CELL_BOUNDED, MGDT_VORONOI_CELL_NEIGHBORS, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES};
+static const int32_t doubles[9] = {MGDT_VORONOI_VERTICES,
+                                   MGDT_VORONOI_RAY_DIRECTIONS,
+                                   MGDT_VORONOI_FACE_AREAS,
+                                   MGDT_VORONOI_FACE_NORMALS,
+                                   MGDT_VORONOI_FACE_CENTROIDS,
+                                   MGDT_VORONOI_CELL_VOLUMES,
+                                   MGDT_VORONOI_CELL_CENTROIDS,
+                                   MGDT_VORONOI_CELL_FACE_AREAS,
+                                   MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES};
 
 static int check_message(const mgdt_voronoi* v, const char* text) {
     char message[256] = "";
@@ -65,8 +70,8 @@ static void fits_together(void) {
     double* const xyz = random_points(300, 0, 11);
     mgdt_triangulation* const t = make(300, xyz);
     mgdt_voronoi* const v = diagram_of(t, 6, cube);
-    int64_t *offsets, *sides, *cells, *faces, *bounded;
-    double *areas, *normals, *centroids, *volumes;
+    int64_t *offsets, *sides, *cells, *faces, *bounded, *neighbors;
+    double *areas, *normals, *centroids, *volumes, *face_areas, *distances;
     double volume = 0, boundary = 0, flux[300];
     int64_t f, c, n;
     int k;
@@ -104,6 +109,22 @@ static void fits_together(void) {
             boundary += areas[f];
         CHECK(sides[2 * f + 1] >= -6);
     }
+    /* The list of neighbours with weights: the faces, as each of their cells sees them. */
+    neighbors = integers_of(v, MGDT_VORONOI_CELL_NEIGHBORS);
+    face_areas = doubles_of(v, MGDT_VORONOI_CELL_FACE_AREAS);
+    distances = doubles_of(v, MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_NEIGHBORS), cells[300]);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES), 0);
+    for (c = 0; c < 300; ++c) {
+        double pyramids = 0;
+        for (f = cells[c]; f < cells[c + 1]; ++f) {
+            const int64_t* const of = sides + 2 * faces[f];
+            CHECK_EQUAL(neighbors[f], of[0] == c ? of[1] : of[0]);
+            CHECK(face_areas[f] == areas[faces[f]]);
+            pyramids += face_areas[f] * distances[f] / (neighbors[f] < 0 ? 3 : 6);
+        }
+        CHECK(fabs(pyramids - volumes[c]) < 1e-14);
+    }
     CHECK(fabs(volume - 1) < 1e-14);
     CHECK(fabs(boundary - 6) < 1e-13);
     for (c = 0; c < 300; ++c) {
@@ -113,6 +134,7 @@ static void fits_together(void) {
     mgdt_voronoi_destroy(v);
     free(offsets), free(sides), free(cells), free(faces), free(bounded), free(areas);
     free(normals), free(centroids), free(volumes), free(xyz);
+    free(neighbors), free(face_areas), free(distances);
 }
 
 /* Numbers begin at the index base; rays and planes count from -1 down in any base. */
@@ -196,7 +218,7 @@ static void arguments(void) {
     CHECK_EQUAL(mgdt_voronoi_get_size(v, 9, &size), MGDT_ERR_UNKNOWN_KEY);
     check_message(v, "there is no array 9");
     CHECK_EQUAL(size, 5);
-    for (i = 0; i < 7; ++i) {
+    for (i = 0; i < 9; ++i) {
         CHECK_EQUAL(mgdt_voronoi_get_array(NULL, integers[i], 8, values), MGDT_ERR_NULL_POINTER);
         CHECK_EQUAL(mgdt_voronoi_get_doubles(v, integers[i], 64, x), MGDT_ERR_UNKNOWN_KEY);
         check_message(v, "has integers");
@@ -244,7 +266,7 @@ static void few_points(void) {
     mgdt_triangulation* t = make(0, NULL);
     mgdt_voronoi* v = diagram_of(t, 0, NULL);
     int i;
-    for (i = 0; i < 7; ++i) {
+    for (i = 0; i < 9; ++i) {
         const int is_offset =
             integers[i] == MGDT_VORONOI_FACE_OFFSETS || integers[i] == MGDT_VORONOI_CELL_OFFSETS;
         CHECK_EQUAL(size_of(v, integers[i]), is_offset);

@@ -149,7 +149,9 @@ function diagrams (folder, t, box)
     assert (v.face_sides, from_1 (read (folder, [p "face_sides"], "int64", 2)));
     assert (size (v.face_images), [0 3]);
     assert (v.cell_bounded, read (folder, [p "cell_bounded"], "int64", 1));
-    for name = {"face_areas", "cell_volumes"}
+    assert (v.cell_neighbors, from_1 (read (folder, [p "cell_neighbors"], "int64", 1)));
+    assert (size (v.cell_neighbor_images), [0 3]);
+    for name = {"face_areas", "cell_volumes", "cell_face_areas", "cell_neighbor_distances"}
       assert (v.(name{1}), read (folder, [p name{1}], "double", 1));
     end
     for name = {"vertices", "ray_directions", "face_normals", "face_centroids", "cell_centroids"}

@@ -88,6 +88,10 @@ class MgdtTest < Minitest::Test
       end
       assert_equal doubles.call("face_areas"), v.areas
       assert_equal doubles.call("cell_volumes"), v.volumes
+      assert_equal lists.call("cell_offsets", "cell_neighbors"), v.neighbors
+      assert_equal doubles.call("cell_face_areas"), v.neighbor_areas.flatten
+      assert_equal doubles.call("cell_neighbor_distances"), v.neighbor_distances.flatten
+      assert_empty v.neighbor_images.flatten
     end
     all = t.voronoi(box).faces.size
     assert_operator t.voronoi(box, least_area: 0.01).faces.size, :<, all

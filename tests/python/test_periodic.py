@@ -43,6 +43,34 @@ class PeriodicDelaunay(unittest.TestCase):
                 shared = [len(np.unique(rows.round(9), axis=0)) for rows in both]
                 self.assertEqual(set(shared), {4})
 
+    def test_neighbor_lists(self) -> None:
+        for box in (OBLIQUE, OBLIQUE[:2]):
+            points = np.concatenate([random_points(80, OBLIQUE), [[9.0, 9, 9]] * 2])
+            cells = mgdt.PeriodicVoronoi(points, box)
+            near = cells.neighbor_list
+            self.assertEqual(len(near.indptr), 83)
+            self.assertEqual(near.indptr[82], near.indptr[81])  # it repeats the one before
+            where = np.repeat(np.arange(82), np.diff(near.indptr))
+            places = cells.points[near.neighbors] + near.images[:, : len(box)] @ cells.delaunay.vectors
+            apart = np.linalg.norm(places - cells.points[where], axis=1)
+            self.assertTrue(np.allclose(near.distances, apart, rtol=1e-13))
+            # What one point says of a neighbour, the neighbour says of it.
+            said = {
+                (a, b, *image): (area, distance)
+                for a, b, image, area, distance in zip(
+                    where.tolist(), near.neighbors.tolist(), near.images.tolist(),
+                    near.areas.tolist(), near.distances.tolist(),
+                )
+            }
+            self.assertEqual(len(said), len(where))
+            for (a, b, *image), (area, distance) in said.items():
+                back = said[(b, a) + tuple(-k for k in image)]
+                self.assertAlmostEqual(back[0], area, places=12)
+                self.assertAlmostEqual(back[1], distance, places=12)
+            bounded = np.isfinite(cells.volumes) & (cells.volumes > 0)
+            height = np.bincount(where, near.areas * near.distances, 82)[bounded] / 6
+            self.assertTrue(np.allclose(height, cells.volumes[bounded], rtol=1e-11))
+
     def test_images_are_the_same(self) -> None:
         points = np.floor(random_points(60, OBLIQUE) * 64) / 64
         mesh = mgdt.PeriodicDelaunay(points, OBLIQUE)

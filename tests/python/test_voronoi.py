@@ -201,6 +201,25 @@ class Voronoi(unittest.TestCase):
         np.add.at(volumes, diagram.ridge_points[inner, 1], -(flux * diagram.ridge_areas / 3)[inner])
         np.testing.assert_allclose(volumes, 1, rtol=1e-14)
 
+    def test_neighbor_lists(self):
+        points = np.random.default_rng(5).uniform(0.1, 1, (60, 3))
+        cells = mgdt.Voronoi(points, bounds=[[0, 0, 0], [1, 1.5, 1]], planes=[[3, 4, 0, 8]])
+        near = cells.neighbor_list
+        self.assertIs(cells.neighbor_list, near)
+        where = np.repeat(np.arange(60), np.diff(near.indptr))
+        self.assertEqual(near.neighbors.tolist(), sum(cells.neighbors, []))
+        self.assertFalse(near.images.any())
+        planes = near.neighbors < 0
+        self.assertEqual(set(near.neighbors[planes]), set(range(-7, 0)))
+        apart = np.linalg.norm(points[near.neighbors] - points[where], axis=1)
+        self.assertTrue(np.allclose(near.distances[~planes], apart[~planes], rtol=1e-13))
+        oblique = near.neighbors == -1
+        heights = (8 - points[where[oblique]] @ [3, 4, 0]) / 5
+        self.assertTrue(np.allclose(near.distances[oblique], heights, rtol=1e-13))
+        # The pyramids over the faces, whose bases are half way to a point.
+        weights = near.areas * near.distances * np.where(planes, 2, 1)
+        self.assertTrue(np.allclose(np.bincount(where, weights) / 6, cells.volumes, rtol=1e-11))
+
     def test_rays(self):
         diagram = mgdt.Voronoi(np.vstack([np.zeros(3), np.eye(3)]))
         self.assertEqual(diagram.ridge_vertices, [[-1, 0]] * 6)

@@ -10,7 +10,7 @@ local diagram = {}
 
 -- The arrays of a diagram that have several numbers for a face, a ray, a vertex or a cell.
 local widths = { face_sides = 2, face_images = 3, vertices = 3, ray_directions = 3, face_normals = 3,
-    face_centroids = 3, cell_centroids = 3 }
+    face_centroids = 3, cell_centroids = 3, cell_neighbor_images = 3 }
 
 --- The arrays of a diagram, which is destroyed, without faces that are smaller.
 function diagram.take(pointer, least_area, least_share)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import ctypes
 from functools import cached_property, partial
-from typing import Any, Callable, Iterator, TypeVar
+from typing import Any, Callable, Iterator, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,35 @@ from ._arrays import FloatArray, IndexArray, address
 from ._interface import CONSTANTS
 
 _T = TypeVar("_T")
-_ARRAYS = CONSTANTS["voronoi"]
+# The other arrays follow from these, and are made when they are asked for.
+_ARRAYS = {
+    name: key
+    for name, key in CONSTANTS["voronoi"].items()
+    if "neighbor" not in name and name != "cell_face_areas"
+}
+
+
+class NeighborList(NamedTuple):
+    """The neighbours of all points in one list: those of point i are
+    ``neighbors[indptr[i]:indptr[i + 1]]``, and so are the other arrays. Since 1.3.
+
+    Attributes
+    ----------
+    indptr : ndarray of int, shape (n + 1,)
+    neighbors : ndarray of int, shape (m,)
+        The points whose cells share a face with the cell; -1 - k for plane k of the region.
+    images : ndarray of int, shape (m, 3)
+        How often each vector of the periodic box has to be added to the neighbour to get its image at
+        the face; 0 if there is no box.
+    areas, distances : ndarray of float, shape (m,)
+        The area of the face, and the distance of the point from the neighbour or the plane.
+    """
+
+    indptr: IndexArray
+    neighbors: IndexArray
+    images: IndexArray
+    areas: FloatArray
+    distances: FloatArray
 
 
 def _array(diagram: ctypes.c_void_p, key: int) -> NDArray[Any]:
@@ -87,6 +115,7 @@ class Diagram:
     points: FloatArray
     _point_map: IndexArray
     _arrays: dict[str, NDArray[Any]]
+    _planes: FloatArray  # of the region, with a, b, c, d each; only if there is one
 
     def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
         """Does work that signals interrupt where there are many points."""
@@ -185,8 +214,42 @@ class Diagram:
     def neighbors(self) -> list[list[int]]:
         """For each point, the points whose cells share a face with its cell, and -1 - k for plane k
         of the region, by the numbers of the faces. Since 1.3."""
+        offsets = self._arrays["cell_offsets"]
+        return self._aside(partial(lists, self._other_sides()[1], offsets))
+
+    def _other_sides(self) -> tuple[IndexArray, IndexArray, NDArray[np.bool_]]:
+        """For each face of each cell the cell, the other side, and whether the cell is the first side."""
         faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
-        point = np.repeat(np.arange(len(self.points)), np.diff(offsets))
-        sides = self.ridge_points[faces]
-        others = np.where(sides[:, 0] == point, sides[:, 1], sides[:, 0])
-        return self._aside(partial(lists, others, offsets))
+        cells = np.repeat(np.arange(len(self.points), dtype=np.int32), np.diff(offsets))
+        first, second = self._arrays["face_sides"][2 * faces], self._arrays["face_sides"][2 * faces + 1]
+        is_first = first == cells
+        return cells, np.where(is_first, second, first), is_first
+
+    @cached_property
+    def neighbor_list(self) -> NeighborList:
+        """The neighbours of all points in one list, with areas and distances. Since 1.3."""
+        return self._aside(self._make_neighbor_list)
+
+    def _make_neighbor_list(self, _is_left: Callable[[], bool]) -> NeighborList:
+        cells, others, is_first = self._other_sides()
+        faces = self._arrays["cell_faces"]
+        images = np.zeros((len(faces), 3), dtype=np.int32)
+        if len(self._arrays["face_images"]):
+            images = self._arrays["face_images"].reshape(-1, 3)[faces]
+            images[~is_first] *= -1
+        ways = self._places(others, images) - self.points[cells]
+        distances = np.sqrt(np.einsum("ij,ij->i", ways, ways))
+        is_plane = others < 0
+        if is_plane.any():
+            planes = self._planes[-1 - others[is_plane]]
+            heights = planes[:, 3] - np.einsum(
+                "ij,ij->i", planes[:, :3], self.points[cells[is_plane]]
+            )
+            distances[is_plane] = heights / np.linalg.norm(planes[:, :3], axis=1)
+        return NeighborList(
+            self._arrays["cell_offsets"], others, images, self._arrays["face_areas"][faces], distances
+        )
+
+    def _places(self, points: IndexArray, images: IndexArray) -> FloatArray:
+        """Where images of points are."""
+        raise NotImplementedError

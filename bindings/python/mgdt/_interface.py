@@ -296,6 +296,8 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "cell_offsets": 30,
         "cell_faces": 31,
         "cell_bounded": 32,
+        "cell_neighbors": 33,
+        "cell_neighbor_images": 34,
         "vertices": 50,
         "ray_directions": 51,
         "face_areas": 60,
@@ -303,6 +305,8 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "face_centroids": 62,
         "cell_volumes": 70,
         "cell_centroids": 71,
+        "cell_face_areas": 72,
+        "cell_neighbor_distances": 73,
     },
     "domain_kind": {
         "facet": 0,

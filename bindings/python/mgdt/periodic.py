@@ -381,6 +381,7 @@ class PeriodicVoronoi(Diagram):
         self._arrays = self.delaunay._box.voronoi(float(least_area), float(least_share))
         self._begin()
         self.ridge_images: IndexArray = self._arrays["face_images"].reshape(-1, 3)
+        self._vectors = self.delaunay.vectors
 
     def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
         return interruptibly(work, len(self.points) >= LONG_EXPORT)
@@ -393,11 +394,11 @@ class PeriodicVoronoi(Diagram):
     @cached_property
     def neighbor_images(self) -> list[list[list[int]]]:
         """The offsets of the points in `neighbors`."""
-        faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
-        point = np.repeat(np.arange(len(self.points)), np.diff(offsets))
-        is_first = self.ridge_points[faces, 0] == point
-        images = np.where(is_first[:, None], self.ridge_images[faces], -self.ridge_images[faces])
-        return self._aside(partial(lists, images, offsets))
+        neighbors = self.neighbor_list
+        return self._aside(partial(lists, neighbors.images, neighbors.indptr))
+
+    def _places(self, points: IndexArray, images: IndexArray) -> FloatArray:
+        return self.points[points] + images[:, : len(self._vectors)] @ self._vectors
 
     def __repr__(self) -> str:
         return (

@@ -9,7 +9,7 @@ from typing import Any, Callable, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import FloatArray, as_planes
+from ._arrays import FloatArray, IndexArray, as_planes
 from ._diagram import Diagram, blocks
 from ._handle import Handle
 from ._snapshot import Snapshot
@@ -159,7 +159,7 @@ class Voronoi(Snapshot, Diagram):
                 "diagram of it"
             )
         self.delaunay.add_points(points, restart)
-        for name in ("regions", "ridge_vertices", "ridge_dict", "neighbors", "areas"):
+        for name in ("regions", "ridge_vertices", "ridge_dict", "neighbors", "neighbor_list", "areas"):
             self.__dict__.pop(name, None)
         self._read_state()
         self._begin()
@@ -168,6 +168,9 @@ class Voronoi(Snapshot, Diagram):
         """Ends `add_points`. The diagram stays as it is."""
         if self._is_made:
             self.delaunay.close()
+
+    def _places(self, points: IndexArray, _images: IndexArray) -> FloatArray:
+        return self.points[points]
 
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:

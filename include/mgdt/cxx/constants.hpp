@@ -124,7 +124,9 @@ enum class VoronoiArray : std::int32_t {
     ray_vertices = MGDT_VORONOI_RAY_VERTICES,
     cell_offsets = MGDT_VORONOI_CELL_OFFSETS,
     cell_faces = MGDT_VORONOI_CELL_FACES,
-    cell_bounded = MGDT_VORONOI_CELL_BOUNDED
+    cell_bounded = MGDT_VORONOI_CELL_BOUNDED,
+    cell_neighbors = MGDT_VORONOI_CELL_NEIGHBORS,
+    cell_neighbor_images = MGDT_VORONOI_CELL_NEIGHBOR_IMAGES
 };
 
 /** Arrays of doubles of a Voronoi diagram; see MGDT_VORONOI_VERTICES and its neighbours.
@@ -136,7 +138,9 @@ enum class VoronoiNumbers : std::int32_t {
     face_normals = MGDT_VORONOI_FACE_NORMALS,
     face_centroids = MGDT_VORONOI_FACE_CENTROIDS,
     cell_volumes = MGDT_VORONOI_CELL_VOLUMES,
-    cell_centroids = MGDT_VORONOI_CELL_CENTROIDS
+    cell_centroids = MGDT_VORONOI_CELL_CENTROIDS,
+    cell_face_areas = MGDT_VORONOI_CELL_FACE_AREAS,
+    cell_neighbor_distances = MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES
 };
 
 /** What an element of the offending pairs of a domain is; see MGDT_DOMAIN_KIND_FACET.

@@ -80,7 +80,9 @@ class Voronoi {
     /** An array with three coordinates for each vertex, ray, face or cell.
      *  @throw Error also if the array has one number for each; std::bad_alloc (the vector's) */
     [[nodiscard]] std::vector<Point> points(VoronoiNumbers key) const {
-        if (key == VoronoiNumbers::face_areas || key == VoronoiNumbers::cell_volumes)
+        if (key == VoronoiNumbers::face_areas || key == VoronoiNumbers::cell_volumes ||
+            key == VoronoiNumbers::cell_face_areas ||
+            key == VoronoiNumbers::cell_neighbor_distances)
             throw Error(MGDT_ERR_INVALID_ARGUMENT, "the array does not have points");
         std::vector<Point> values(size(key) / 3);
         write(key, 3 * values.size(), values.empty() ? nullptr : values[0].data());

@@ -14,8 +14,12 @@ module Mgdt
   # - cells: the faces of the cell of each point; none for a point that repeats another one
   # - bounded: whether there is a bounded cell
   # - volumes, cell_centroids: of the cells
+  # - neighbors: for each cell the other sides of its faces, in the order of `cells`; neighbor_images:
+  #   of a periodic box, which images they are; neighbor_areas, neighbor_distances: the areas of these
+  #   faces, and the distances of the cell's point from the other sides
   Voronoi = Struct.new(:vertices, :faces, :sides, :images, :areas, :normals, :centroids, :ray_vertices,
-                       :ray_directions, :cells, :bounded, :volumes, :cell_centroids,
+                       :ray_directions, :cells, :bounded, :volumes, :cell_centroids, :neighbors,
+                       :neighbor_images, :neighbor_areas, :neighbor_distances,
                        keyword_init: true)
 
   # Reads the arrays of a diagram.
@@ -49,7 +53,8 @@ module Mgdt
                   ray_vertices: integers(:ray_vertices), ray_directions: rows(:ray_directions),
                   cells: lists(:cell_offsets, :cell_faces),
                   bounded: integers(:cell_bounded).map { |flag| flag == 1 },
-                  volumes: doubles(:cell_volumes), cell_centroids: rows(:cell_centroids))
+                  volumes: doubles(:cell_volumes), cell_centroids: rows(:cell_centroids),
+                  **neighbors)
     end
 
     private
@@ -62,9 +67,19 @@ module Mgdt
       doubles(name).each_slice(3).to_a
     end
 
-    def lists(offsets, elements)
-      all = integers(elements)
-      integers(offsets).each_cons(2).map { |from, to| all[(from - @index_base)...(to - @index_base)] }
+    def neighbors
+      { neighbors: lists(:cell_offsets, :cell_neighbors),
+        neighbor_images: of_cells(integers(:cell_neighbor_images).each_slice(3).to_a),
+        neighbor_areas: of_cells(doubles(:cell_face_areas)),
+        neighbor_distances: of_cells(doubles(:cell_neighbor_distances)) }
+    end
+
+    def lists(offsets, elements) = cut(integers(offsets), integers(elements))
+
+    def of_cells(elements) = cut(integers(:cell_offsets), elements)
+
+    def cut(offsets, all)
+      offsets.each_cons(2).map { |from, to| all[(from - @index_base)...(to - @index_base)] || [] }
     end
   end
   private_constant :VoronoiReader

@@ -30,6 +30,10 @@ pub enum VoronoiArray {
     CellFaces = sys::MGDT_VORONOI_CELL_FACES,
     /// For each point 1 if it has a bounded cell, otherwise 0.
     CellBounded = sys::MGDT_VORONOI_CELL_BOUNDED,
+    /// For each face of each cell what is on its other side: a point; plane k of the region is -1 - k.
+    CellNeighbors = sys::MGDT_VORONOI_CELL_NEIGHBORS,
+    /// Of a periodic box, how often each vector is added to each of these points.
+    CellNeighborImages = sys::MGDT_VORONOI_CELL_NEIGHBOR_IMAGES,
 }
 
 /// Arrays of numbers of a [`Voronoi`] diagram.
@@ -51,6 +55,10 @@ pub enum VoronoiNumbers {
     CellVolumes = sys::MGDT_VORONOI_CELL_VOLUMES,
     /// Centroids of the cells, three numbers for each.
     CellCentroids = sys::MGDT_VORONOI_CELL_CENTROIDS,
+    /// The area of each face of each cell.
+    CellFaceAreas = sys::MGDT_VORONOI_CELL_FACE_AREAS,
+    /// The distance of each cell's point from the other side of each face.
+    CellNeighborDistances = sys::MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES,
 }
 
 /// The Voronoi diagram of the points of a triangulation or of a periodic box, which it outlives; made

@@ -64,6 +64,8 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
             (Array::CellOffsets, "cell_offsets"),
             (Array::CellFaces, "cell_faces"),
             (Array::CellBounded, "cell_bounded"),
+            (Array::CellNeighbors, "cell_neighbors"),
+            (Array::CellNeighborImages, "cell_neighbor_images"),
         ] {
             assert_eq!(v.array(key).unwrap(), integers(&name(of)), "{}", of);
         }
@@ -75,6 +77,8 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
             (Numbers::FaceCentroids, "face_centroids"),
             (Numbers::CellVolumes, "cell_volumes"),
             (Numbers::CellCentroids, "cell_centroids"),
+            (Numbers::CellFaceAreas, "cell_face_areas"),
+            (Numbers::CellNeighborDistances, "cell_neighbor_distances"),
         ] {
             assert_eq!(v.numbers(key).unwrap(), doubles(&name(of)), "{}", of);
         }
