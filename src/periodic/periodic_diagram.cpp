@@ -174,7 +174,7 @@ class Extraction {
         double way[3], normal[3], centroid[3];
         for (unsigned c = 0; c < 3; ++c) way[c] = halo_.point(other)[c] - halo_.point(point_)[c];
         write_unit_vector(way, normal);
-        to_.face_distances.push_back(periodic_.to_callers(length_of(way)));
+        to_.face_distances.push_back(periodic_.to_callers(length_in_range(way)));
         for (const double c : normal) to_.face_normals.push_back(c);
         to_.areas.push_back(periodic_.to_callers(from_.areas[face], 2));
         const bool is_reversed = from_.face_sides[2 * face] != point_;

@@ -20,7 +20,7 @@ void write_unit_vector(const double (&way)[3], double* out) {
     for (int k = 0; k < 3; ++k) out[k] = x[k] / std::sqrt(squares);
 }
 
-double length_of(const double (&way)[3]) {
+double length_in_range(const double (&way)[3]) {
     const double largest = exact::largest_of<0, 3>(way);
     if (!(largest > 0) || std::isinf(largest)) return largest;
     const int exponent = std::ilogb(largest);
@@ -46,10 +46,10 @@ namespace {
 double distance_of_points(const double* a, const double* b) {
     double way[3];
     for (int k = 0; k < 3; ++k) way[k] = b[k] - a[k];
-    if (std::isfinite(way[0] + way[1] + way[2])) return length_of(way);
+    if (std::isfinite(way[0] + way[1] + way[2])) return length_in_range(way);
     // Halves do not overflow.
     for (int k = 0; k < 3; ++k) way[k] = 0.5 * b[k] - 0.5 * a[k];
-    return 2 * length_of(way);
+    return 2 * length_in_range(way);
 }
 
 // The distance of a point from the plane a x + b y + c z = d, which is not on the other side.
@@ -69,7 +69,7 @@ double distance_from_plane(const double* point, const double* plane) {
         sum = sum - Twofold::product(unit[k], std::ldexp(point[k], -of_terms));
     }
     const double height = std::fabs(sum.high + sum.low);
-    return std::ldexp(height / length_of(unit), of_terms);
+    return std::ldexp(height / length_in_range(unit), of_terms);
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ inline bool is_plane(std::uint32_t side) noexcept {
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
 // Writes a vector divided by its length, whatever its magnitude.
 void write_unit_vector(const double (&way)[3], double* out);
-// The length of a vector, whatever its magnitude.
-double length_of(const double (&way)[3]);
+// The length of a vector, whose squares need not be in the range of doubles.
+double length_in_range(const double (&way)[3]);
 // Writes, for each face of each cell, the distance of the cell's point from the other side.
 void write_distances(const VoronoiDiagram& diagram, double* out);
 // Writes the unit normal of each face, from its first side to the second one.

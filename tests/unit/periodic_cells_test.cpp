@@ -90,7 +90,8 @@ TEST(Periodic, ObliqueVectorsAreExact) {
         const int most = round % 3 == 0 ? 3 : round % 3 == 1 ? 100 : 3000;
         for (unsigned step = 0; step < 3; ++step) {
             const std::size_t i = random() % 3, j = (i + 1 + random() % 2) % 3;
-            const double times = static_cast<int>(random() % (2 * most + 1)) - most;
+            const double times =
+                static_cast<int>(random() % static_cast<unsigned>(2 * most + 1)) - most;
             for (unsigned c = 0; c < 3; ++c) v[i][c] += times * v[j][c];
         }
         if (round == 0) {

@@ -100,7 +100,8 @@ std::vector<double> scattered(const std::vector<double>& box, std::size_t n, dou
         for (std::size_t c = 0; c < 3; ++c)
             points[3 * i + c] = std::floor(points[3 * i + c] * grid) / grid;
         for (std::size_t k = 0; k < box.size() / 3; ++k) {
-            const double times = static_cast<int>(random() % (2 * most + 1)) - most;
+            const double times =
+                static_cast<int>(random() % static_cast<unsigned>(2 * most + 1)) - most;
             for (std::size_t c = 0; c < 3; ++c) points[3 * i + c] += times * box[3 * k + c];
         }
     }
