@@ -10,11 +10,11 @@
 namespace mgdt {
 namespace {
 
-using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
-using Neighbor = PeriodicTetrahedra::Neighbor;
-using Record = PeriodicTetrahedra::Record;
-
 class PeriodicChecker {
+    using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
+    using Neighbor = PeriodicTetrahedra::Neighbor;
+    using Record = PeriodicTetrahedra::Record;
+
   public:
     PeriodicChecker(const Periodic& periodic, const Buffer<Record>& tetrahedra,
                     const StopRequest& stop)
@@ -211,7 +211,7 @@ class PeriodicChecker {
 
 }  // namespace
 
-void check_periodic(const Periodic& periodic, const Buffer<Record>& tetrahedra,
+void check_periodic(const Periodic& periodic, const Buffer<PeriodicTetrahedra::Record>& tetrahedra,
                     const StopRequest& stop) {
     PeriodicChecker(periodic, tetrahedra, stop).run();
 }

@@ -14,8 +14,6 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
-
 // A vertex or a ray of the halo's diagram, translated by multiples of the basis.
 struct Translated {
     std::uint32_t number;
@@ -27,17 +25,17 @@ struct Translated {
 
 // The numbers that translated vertices, or rays, have in the result. Most cells have a shift in
 // common, for which an array is enough.
-class Numbers {
+class TranslatedNumbers {
   public:
-    Numbers(Allocator& allocator, const Multiples& common)
+    TranslatedNumbers(Allocator& allocator, const Multiples& common)
         : common_(common),
           of_common_(allocator),
           table_(allocator),
           keys_(allocator),
           of_key_(allocator) {}
 
-    void start(std::size_t count) { of_common_.resize(count, none); }
-    // The place of the number: `none` until it is set. The next call invalidates the reference.
+    void start(std::size_t count) { of_common_.resize(count, no_index); }
+    // The place of the number: `no_index` until it is set. The next call invalidates the reference.
     std::uint32_t& operator[](const Translated& key) {
         if (key.shift == common_) return of_common_[key.number];
         table_.reserve(keys_.size() + 1);
@@ -45,7 +43,7 @@ class Numbers {
             table_.number(hash_of(key), [&](std::uint32_t k) { return keys_[k] == key; });
         if (i == keys_.size()) {
             keys_.push_back(key);
-            of_key_.push_back(none);
+            of_key_.push_back(no_index);
         }
         return of_key_[i];
     }
@@ -93,7 +91,7 @@ class Extraction {
         to_.is_bounded.resize(n);
         to_.volumes.resize(n);
         to_.cell_centroids.resize(3 * std::size_t{n});
-        number_of_face_.resize(from_.face_count(), none);
+        number_of_face_.resize(from_.face_count(), no_index);
         vertices_.start(from_.vertices.size() / 3);
         rays_.start(from_.ray_vertices.size());
         to_.face_begin.push_back(0);
@@ -209,7 +207,7 @@ class Extraction {
     std::uint32_t vertex(std::uint32_t of_halo) {
         const Translated key = {of_halo, shift_};
         std::uint32_t& number = vertices_[key];
-        if (number != none) return number;
+        if (number != no_index) return number;
         double x[3];
         write_vertex(of_halo, x);
         const auto next = static_cast<std::uint32_t>(to_.vertices.size() / 3);
@@ -294,7 +292,7 @@ class Extraction {
     // The number of a ray of the halo's diagram, translated as the cell.
     std::uint32_t ray(std::uint32_t of_halo) {
         const Translated key = {of_halo, shift_};
-        if (const std::uint32_t known = rays_[key]; known != none) return known;
+        if (const std::uint32_t known = rays_[key]; known != no_index) return known;
         const std::uint32_t begin = vertex(from_.ray_vertices[of_halo]);
         const auto next = static_cast<std::uint32_t>(to_.ray_vertices.size());
         std::uint32_t number = next;
@@ -349,7 +347,7 @@ class Extraction {
     double place_[3] = {};
     Buffer<Neighbor> order_;
     Buffer<std::uint32_t> number_of_face_;
-    Numbers vertices_, rays_;
+    TranslatedNumbers vertices_, rays_;
     // Where cells have different shifts: the vertices of the result by their coordinates, and the
     // rays by their vertices; and what each of them was first.
     NumberTable by_place_;

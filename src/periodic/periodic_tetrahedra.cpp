@@ -9,13 +9,6 @@
 namespace mgdt {
 namespace {
 
-using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
-using Neighbor = PeriodicTetrahedra::Neighbor;
-using Record = PeriodicTetrahedra::Record;
-
-constexpr std::uint32_t none = PeriodicTetrahedra::none;
-constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 8192;
-
 // Even permutations of four corners: number 3 i + k brings corner i to the front, and the three
 // others come in cyclic order from one of them on.
 struct Orders {
@@ -54,7 +47,7 @@ struct OpenSide {
     }
 };
 
-OpenSide side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
+OpenSide side_of(const PeriodicTetrahedra::Tetrahedron& t, std::uint32_t number, unsigned corner) {
     OpenSide side = {{}, {}, number, corner};
     for (unsigned i = 0, k = 0; i < 4; ++i)
         if (i != corner) side.corners[k++] = t.corners[i];
@@ -68,6 +61,9 @@ OpenSide side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
 
 // Lists the tetrahedra of the mesh of a halo.
 class Listing {
+    using Neighbor = PeriodicTetrahedra::Neighbor;
+    using Record = PeriodicTetrahedra::Record;
+
   public:
     Listing(Allocator& allocator, const Halo& halo, Buffer<Record>& records)
         : halo_(halo),
@@ -96,12 +92,14 @@ class Listing {
             return std::lexicographical_compare(orders, orders + 3, other.orders, other.orders + 3);
         }
     };
+    static constexpr std::uint32_t none = PeriodicTetrahedra::none;
     static constexpr std::uint8_t is_no_representative = 0xFF;
+    static constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 8192;
 
     std::uint32_t index_of(VertexId v) const { return mesh_.vertices[v].index; }
     // The order that brings the corners of a tetrahedron into those of the list.
     std::uint8_t order_in_list(TetId slot) const {
-        const mgdt::Tetrahedron& t = mesh_.tetrahedra[slot];
+        const Tetrahedron& t = mesh_.tetrahedra[slot];
         if (t.is_dead() || t.is_ghost()) return is_no_representative;
         bool has_own = false;
         for (const VertexId v : t.v) has_own = has_own || halo_.is_own(index_of(v));
@@ -167,7 +165,7 @@ class Listing {
             Member* const group = size > most ? many.begin() : few;
             for (std::size_t i = 0; i < size; ++i) {
                 group[i].slot = slots[i];
-                const mgdt::Tetrahedron& t = mesh_.tetrahedra[slots[i]];
+                const Tetrahedron& t = mesh_.tetrahedra[slots[i]];
                 const std::uint8_t* const order = orders.of[order_[slots[i]]];
                 for (unsigned k = 0; k < 3; ++k)
                     group[i].orders[k] = order_of(halo_.image(index_of(t.v[order[1 + k]])));
@@ -187,7 +185,7 @@ class Listing {
         each_first_corner([&](std::size_t v, std::uint32_t p) {
             Record* record = records_.begin() + begin_[p];
             for (std::uint32_t i = slots_begin_[v]; i < slots_begin_[v + 1]; ++i, ++record) {
-                const mgdt::Tetrahedron& t = mesh_.tetrahedra[slots_[i]];
+                const Tetrahedron& t = mesh_.tetrahedra[slots_[i]];
                 const std::uint8_t* const order = orders.of[order_[slots_[i]]];
                 for (unsigned k = 0; k < 4; ++k)
                     record->neighbors[k] = {number_of_slot_[tetrahedron_of(t.n[order[k]])], {}};
