@@ -92,11 +92,17 @@ check "the static program runs" "$scratch/example-static"
 subproject() {
     mkdir -p "$scratch/host/subprojects"
     ln -s "$source" "$scratch/host/subprojects/mgdt"
-    cp "$here/example.c" "$scratch/host/"
+    cp "$here/example.c" "$source"/bindings/fortran/examples/poisson.f \
+        "$source"/bindings/fortran/examples/adaptive.f90 "$scratch/host/"
     cat >"$scratch/host/meson.build" <<'END'
-project('host', 'c', default_options : ['c_std=c99', 'warning_level=3', 'werror=true'])
+project('host', 'c', 'fortran', default_options : ['c_std=c99', 'warning_level=3', 'werror=true'])
 mgdt = dependency('mgdt', fallback : 'mgdt', default_options : ['program=disabled', 'optimization=0'])
 test('example', executable('example', 'example.c', dependencies : mgdt))
+lenient = ['werror=false', 'warning_level=0']
+test('FORTRAN 77', executable('poisson', 'poisson.f', override_options : lenient,
+                              dependencies : subproject('mgdt').get_variable('mgdt_f77_dep')))
+test('Fortran', executable('adaptive', 'adaptive.f90', override_options : lenient,
+                           dependencies : subproject('mgdt').get_variable('mgdt_fortran_dep')))
 END
     PKG_CONFIG_LIBDIR=$scratch/nowhere
     export PKG_CONFIG_LIBDIR

@@ -63,6 +63,26 @@ through_cmake() { # shared or static, language, source file
         fi
 }
 
+fortran_through_cmake() {
+    mkdir -p "$scratch/cmake-fortran"
+    cp "$source"/bindings/fortran/examples/poisson.f "$source"/bindings/fortran/examples/adaptive.f90 \
+        "$scratch/cmake-fortran/"
+    cat >"$scratch/cmake-fortran/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(host Fortran)
+find_package(mgdt 1.3 CONFIG REQUIRED COMPONENTS fortran)
+add_library(mgdt_f77 STATIC ${mgdt_F77_SOURCES})
+target_link_libraries(mgdt_f77 PUBLIC mgdt::mgdt)
+add_executable(poisson poisson.f)
+target_include_directories(poisson PRIVATE ${mgdt_FORTRAN_DIRECTORY})
+target_link_libraries(poisson PRIVATE mgdt_f77)
+add_executable(adaptive adaptive.f90 ${mgdt_FORTRAN_SOURCES})
+target_link_libraries(adaptive PRIVATE mgdt::mgdt)
+END
+    configure_cmake cmake-fortran shared && cmake --build "$scratch/cmake-fortran/build" &&
+        "$scratch/cmake-fortran/build/poisson" && "$scratch/cmake-fortran/build/adaptive"
+}
+
 refused_by_cmake() { # what find_package is given, a word of the reason
     cmake_project cmake-refused C example.c "$1"
     configure_cmake cmake-refused shared >"$scratch/refused" 2>&1 && return 1
@@ -89,6 +109,7 @@ for kind in shared static; do
     check "moved: CMake, C, $kind" through_cmake $kind C example.c
     check "moved: CMake, C++, $kind" through_cmake $kind CXX example.cpp
 done
+check "moved: CMake, Fortran" fortran_through_cmake
 for version in '' 1 1.0.0 1.1 1.2 1.3 '1.3.0 EXACT' 1.0...1.9 1.0...2; do
     check "CMake finds '$version'" found_by_cmake "$version"
 done
