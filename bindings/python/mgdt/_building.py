@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Builds of domains and boxes that a function of the caller hears of."""
+"""Builds of domains and boxes: one writer at a time, with progress, and stopped by Ctrl-C."""
 
 from __future__ import annotations
 
+import threading
 from typing import Any, Callable, Optional, Protocol
 
 from . import _errors, _library
-from ._insertion import CANCEL
+from ._gate import Gate
+from ._insertion import Insertion
 from ._interface import PROGRESS
 
 
@@ -20,27 +22,34 @@ class Buildable(Protocol):
         """Calls a function and raises what its status means."""
 
 
-def build(handle: Buildable, progress: Optional[Callable[[float], Any]]) -> None:
-    """Builds, and reports progress. What the function raises goes on to the caller."""
-    failures: list[BaseException] = []
+def build(
+    handle: Buildable,
+    gate: Gate,
+    progress: Optional[Callable[[float], Any]],
+    size: int,
+    change: Callable[[], None] = lambda: None,
+) -> None:
+    """Makes a change and builds what has some number of points, and reports progress.
 
-    def report(fraction: float, _: Any) -> int:
-        # Python runs the handlers of signals here, so that Ctrl-C is heard without `progress`.
-        try:
-            return 1 if progress is not None and progress(fraction) is CANCEL else 0
-        except BaseException as error:  # pylint: disable=broad-exception-caught
-            failures.append(error)
-            return 1
+    Waits for those who read. What stops the build is raised when it has ended: what the progress
+    function raised, or a signal's handler.
+    """
+    insertion = Insertion(gate.guarded(progress))
+    caller = threading.get_ident()
 
-    callback = PROGRESS(report)
-    handle.call("set_progress", callback, None)
-    try:
-        handle.call("build")
-    except _errors.Cancelled:
-        if failures:
-            raise failures[0] from None
-        raise
-    finally:
-        handle.quiet("set_progress", _library.NO_PROGRESS, None)
-    if failures:
-        raise failures[0]
+    def work() -> None:
+        with gate.writing(caller, lambda: insertion.has_to_end) as got_in:
+            if not got_in:
+                raise _errors.make(_errors.CANCELLED, "cancelled before the build")
+            change()
+            insertion.attach(lambda: handle.quiet("cancel"))
+            report = PROGRESS(insertion.report)
+            handle.call("set_progress", report, None)
+            try:
+                handle.call("build")
+            finally:
+                insertion.detach()
+                handle.quiet("set_progress", _library.NO_PROGRESS, None)
+
+    gate.refuse_if_kept_out()
+    insertion.run(work, size)

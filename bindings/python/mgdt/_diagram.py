@@ -123,7 +123,10 @@ class Diagram:
 
     def _begin(self) -> None:
         if not self._arrays:
-            raise ValueError("there are no cells: all points are in one plane, or fewer than four")
+            raise _errors.make(
+                _errors.INVALID_ARGUMENT,
+                "there are no cells: all points are in one plane, or fewer than four",
+            )
         arrays = self._arrays
         self.vertices: FloatArray = arrays["vertices"].reshape(-1, 3)
         self.ridge_points: IndexArray = arrays["face_sides"].reshape(-1, 2)

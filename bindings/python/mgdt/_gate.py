@@ -17,6 +17,7 @@ import threading
 import time
 import weakref
 from contextlib import contextmanager
+from functools import partial
 from typing import Any, Callable, Iterator, Optional, TypeVar
 
 from . import _errors
@@ -142,10 +143,21 @@ class Gate:
         finally:
             self._kept_out.discard(me)
 
+    def guarded(self, progress: Optional[Callable[[float], object]]) -> Optional[Callable[[float], object]]:
+        """A progress function that is refused what its writer waits for."""
+        if progress is None:
+            return None
+
+        def guarded(inner: Callable[[float], object], gate: Gate, fraction: float) -> object:
+            with gate.keeping_out():
+                return inner(fraction)
+
+        return partial(guarded, progress, self)
+
     def refuse_if_kept_out(self) -> None:
         if threading.get_ident() in self._kept_out:
             raise _errors.make(
-                _errors.BUSY, "the triangulation is being changed: a progress function may not use it"
+                _errors.BUSY, "the object is being changed: a progress function may not use it"
             )
 
     def _wait(self, is_free: Callable[[], bool], gives_up: Callable[[], bool] = _never) -> bool:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import operator
 import threading
 from contextlib import contextmanager
-from functools import partial
 from types import FunctionType
 from typing import Any, Callable, Iterator, Mapping, Optional, TypeVar, Union
 
@@ -198,7 +197,7 @@ class GrowingTriangulation:
 
     def _change(self, change: Callable[[Insertion], None], n: int) -> None:
         """Makes a change of n points, which can be stopped."""
-        insertion = Insertion(self._guarded_progress())
+        insertion = Insertion(self._gate.guarded(self.progress))
         caller = threading.get_ident()
 
         # All that must not be left half done, since signals may cut short the thread that waits.
@@ -214,16 +213,6 @@ class GrowingTriangulation:
 
         self._gate.refuse_if_kept_out()
         insertion.run(work, n)
-
-    def _guarded_progress(self) -> Optional[ProgressFunction]:
-        if self.progress is None:
-            return None
-
-        def guarded(progress: ProgressFunction, gate: Gate, fraction: float) -> object:
-            with gate.keeping_out():
-                return progress(fraction)
-
-        return partial(guarded, self.progress, self._gate)
 
     def _insert_by(self, insertion: Insertion, points: FloatArray, restart: bool) -> None:
         handle = self._held()

@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
+from ._gate import Gate, interrupt_soon, interruptibly
+from ._insertion import SHORT
 from ._interface import CONSTANTS
 
 _MESSAGE_BYTES = 512
@@ -115,7 +117,11 @@ class _Handle:
 
     def __del__(self) -> None:
         if getattr(self, "_pointer", None):
-            _function("destroy")(self._pointer)
+            try:
+                _function("destroy")(self._pointer)
+            except KeyboardInterrupt:
+                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
+                interrupt_soon()
 
     def quiet(self, name: str, *arguments: Any) -> int:
         return int(_function(name)(self._pointer, *arguments))
@@ -222,7 +228,7 @@ def offending_pairs(
     handle.call("set_option", CONSTANTS["domain_option"]["threads"], threads)
     handle.set(points, facets, None, segments, None)
     try:
-        handle.call("validate")
+        interruptibly(lambda _: handle.call("validate"), True)
     except InvalidBoundary as error:
         return error.pairs
     return []
@@ -350,7 +356,8 @@ class DomainMesh:
             row = np.ascontiguousarray(as_points(np.asarray(where)[None], "regions"))
             value = _markers([marker], 1, "the markers of regions")
             handle.call("add_region", address(row), 0 if value is None else int(value[0]))
-        build(handle, progress)
+        # A small surface may need many points.
+        build(handle, Gate(), progress, SHORT)
 
         def rows(name: str, columns: int) -> Any:
             return handle.array(name).reshape(-1, columns)
@@ -392,7 +399,7 @@ class DomainMesh:
         CheckFailed
             If it has a defect. The message says what and where.
         """
-        self._handle.call("check")
+        interruptibly(lambda _: self._handle.call("check"), True)
 
     def __repr__(self) -> str:
         n = len(self.region_markers)

@@ -15,7 +15,7 @@ from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._diagram import Diagram, cell_areas, lists, taken_diagram
-from ._gate import interruptibly
+from ._gate import Gate, interrupt_soon, interruptibly
 from ._interface import CONSTANTS
 from ._triangulation import LONG_EXPORT
 
@@ -60,7 +60,11 @@ class _Box:
 
     def __del__(self) -> None:
         if getattr(self, "_pointer", None):
-            self._function("destroy")(self._pointer)
+            try:
+                self._function("destroy")(self._pointer)
+            except KeyboardInterrupt:
+                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
+                interrupt_soon()
 
     @staticmethod
     def _function(name: str) -> Callable[..., Any]:
@@ -175,23 +179,45 @@ class PeriodicDelaunay:
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
         rows = np.array(as_points(points), np.float64, order="C")
-        self._progress = progress
+        self.progress = progress
         self._make(rows, _vectors(box, periodic), {"threads": threads, "memory_limit": memory_limit})
 
     def _make(self, rows: FloatArray, vectors: FloatArray, settings: dict[str, int]) -> None:
         self._given, self._given_vectors, self._settings = rows, vectors, settings
+        self._gate = Gate()
         handle = self._box = _Box(vectors)
         for name, value in settings.items():
             handle.call("set_option", CONSTANTS["periodic_option"][name], value)
-        handle.call("insert_points", len(rows), address(rows))
-        self._build()
+        self._build(rows, lambda: handle.call("insert_points", len(rows), address(rows)))
 
-    def _build(self) -> None:
-        # What was fetched is forgotten first: if the build is stopped, there is no triangulation.
-        for name in list(self.__dict__):
-            if isinstance(getattr(type(self), name, None), cached_property):
-                del self.__dict__[name]
-        build(self._box, self._progress)
+    def _build(self, rows: FloatArray, place: Callable[[], None]) -> None:
+        """Puts the points at new places, and builds."""
+
+        def change() -> None:
+            place()
+            # What was fetched is forgotten first: if the build is stopped, there is no triangulation.
+            self._given = rows
+            self._cache: dict[str, Any] = {}
+
+        build(self._box, self._gate, self.progress, len(rows), change)
+
+    def _aside(self, work: Callable[[], _T]) -> _T:
+        """Reads, beside other readers; signals interrupt it where there are many points."""
+
+        def read(is_left: Callable[[], bool]) -> _T:
+            with self._gate.reading(is_left):
+                return work()
+
+        self._gate.refuse_if_kept_out()
+        return interruptibly(read, len(self._given) >= LONG_EXPORT)
+
+    def _cached(self, name: str, make: Callable[[], _T]) -> _T:
+        # An array made while another thread moves points belongs to the cache of before.
+        cache = self._cache
+        if name not in cache:
+            cache[name] = self._aside(make)
+        value: _T = cache[name]
+        return value
 
     # Copies are built again from what was given, and share nothing with the original.
 
@@ -199,38 +225,40 @@ class PeriodicDelaunay:
         return {"points": self._given, "vectors": self._given_vectors, "settings": self._settings}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self._progress = None
+        self.progress = None
         self._make(state["points"].copy(), state["vectors"].copy(), dict(state["settings"]))
 
-    @cached_property
+    @property
     def points(self) -> FloatArray:
         """The points where they were put, rounded."""
-        return self._box.rows("points")
+        return self._cached("points", lambda: self._box.rows("points"))
 
-    @cached_property
+    @property
     def vectors(self) -> FloatArray:
         """The vectors that repeat, rounded."""
-        return self._box.rows("vectors")
+        return self._cached("vectors", lambda: self._box.rows("vectors"))
 
-    @cached_property
+    @property
     def simplices(self) -> IndexArray:
         """The corners of one tetrahedron of each class."""
-        return self._box.integers("tetrahedra").reshape(-1, 4)
+        return self._cached("simplices", lambda: self._box.integers("tetrahedra").reshape(-1, 4))
 
-    @cached_property
+    @property
     def offsets(self) -> IndexArray:
         """The multiples of the vectors that are added to the points of the corners."""
-        return self._box.integers("offsets").reshape(-1, 4, 3)
+        return self._cached("offsets", lambda: self._box.integers("offsets").reshape(-1, 4, 3))
 
-    @cached_property
+    @property
     def neighbors(self) -> IndexArray:
         """The tetrahedra opposite the corners; -1 where a slab or a wire ends."""
-        return self._box.integers("neighbors").reshape(-1, 4)
+        return self._cached("neighbors", lambda: self._box.integers("neighbors").reshape(-1, 4))
 
-    @cached_property
+    @property
     def neighbor_offsets(self) -> IndexArray:
         """The multiples by which a neighbour is moved to be there."""
-        return self._box.integers("neighbor_offsets").reshape(-1, 4, 3)
+        return self._cached(
+            "neighbor_offsets", lambda: self._box.integers("neighbor_offsets").reshape(-1, 4, 3)
+        )
 
     def move(self, points: ArrayLike) -> None:
         """Moves all points, as in a time step. What was computed before is forgotten. The triangulation
@@ -243,9 +271,7 @@ class PeriodicDelaunay:
             Where they are now.
         """
         rows = np.array(as_points(points), np.float64, order="C")
-        self._box.call("move_points", len(rows), None, address(rows))
-        self._given = rows
-        self._build()
+        self._build(rows, lambda: self._box.call("move_points", len(rows), None, address(rows)))
 
     def check(self) -> None:
         """Proves the triangulation, exactly.
@@ -255,7 +281,7 @@ class PeriodicDelaunay:
         CheckFailed
             If it has a defect. The message says what and where.
         """
-        self._box.call("check")
+        self._aside(partial(self._box.call, "check"))
 
     def places(self, simplices: Any = slice(None)) -> FloatArray:
         """The coordinates of the corners of tetrahedra, of shape (m, 4, 3).
@@ -269,53 +295,62 @@ class PeriodicDelaunay:
         corners: FloatArray = self.points[self.simplices[simplices]] + offsets @ self.vectors
         return corners
 
-    @cached_property
+    @property
     def point_map(self) -> IndexArray:
         """For each point the least point with the same images."""
-        return self._box.integers("point_map")
+        return self._cached("point_map", lambda: self._box.integers("point_map"))
 
-    @cached_property
+    @property
     def point_offsets(self) -> NDArray[np.int64]:
         """The multiples of the vectors that are added to that point to get this one, shape (n, 3)."""
-        return self._box.long_integers("point_offsets").reshape(-1, 3)
+        return self._cached("point_offsets", lambda: self._box.long_integers("point_offsets").reshape(-1, 3))
 
-    @cached_property
+    @property
     def vertex_neighbor_vertices(self) -> tuple[IndexArray, IndexArray]:
         """Two arrays: the points at the other ends of the edges at point k are
         ``indices[indptr[k]:indptr[k + 1]]``. A point may come several times, as several images."""
         handle = self._box
-        return handle.integers("vertex_neighbor_starts"), handle.integers("vertex_neighbors")
+        names = "vertex_neighbor_starts", "vertex_neighbors"
+        return self._cached(
+            "vertex_neighbor_vertices", lambda: (handle.integers(names[0]), handle.integers(names[1]))
+        )
 
-    @cached_property
+    @property
     def vertex_neighbor_offsets(self) -> IndexArray:
         """The offset of each of the ``indices``, shape (m, 3)."""
-        return self._box.integers("vertex_neighbor_offsets").reshape(-1, 3)
+        return self._cached(
+            "vertex_neighbor_offsets", lambda: self._box.integers("vertex_neighbor_offsets").reshape(-1, 3)
+        )
 
-    @cached_property
+    @property
     def volumes(self) -> FloatArray:
         """Volumes of the points' Voronoi cells. With three vectors their sum is that of the box."""
-        return self._box.measures("volume", len(self.points))
+        return self._cached("volumes", lambda: self._box.measures("volume", len(self._given)))
 
-    @cached_property
+    @property
     def areas(self) -> FloatArray:
         """Areas of the surfaces of the cells."""
-        return self._box.measures("area", len(self.points))
+        return self._cached("areas", lambda: self._box.measures("area", len(self._given)))
 
-    @cached_property
+    @property
     def centroids(self) -> FloatArray:
         """Centroids of the cells, relative to the points, shape (n, 3)."""
-        return self._box.measures("centroid", 3 * len(self.points)).reshape(-1, 3)
+        return self._cached(
+            "centroids", lambda: self._box.measures("centroid", 3 * len(self._given)).reshape(-1, 3)
+        )
 
-    @cached_property
+    @property
     def face_counts(self) -> IndexArray:
         """How many faces each cell has."""
-        return self._box.measures("faces", len(self.points)).astype(np.int32)
+        return self._cached(
+            "face_counts", lambda: self._box.measures("faces", len(self._given)).astype(np.int32)
+        )
 
     def __repr__(self) -> str:
         k = len(self._given_vectors)
         return (
             f"<mgdt.PeriodicDelaunay: {len(self._given)} points, {k} vector{'' if k == 1 else 's'}, "
-            f"{self._box.number('tetrahedra')} tetrahedra>"
+            f"{self._aside(lambda: self._box.number('tetrahedra'))} tetrahedra>"
         )
 
 
@@ -376,12 +411,17 @@ class PeriodicVoronoi(Diagram):
             raise ValueError(f"least_area is {least_area!r}; it must be at least 0")
         if not 0 <= least_share < 1:
             raise ValueError(f"least_share is {least_share!r}; it must be at least 0 and below 1")
-        self.points = self.delaunay.points
-        self._point_map = self.delaunay.point_map
-        self._arrays = self.delaunay._box.voronoi(float(least_area), float(least_share))
+        box_of_points, limits = self.delaunay._box, (float(least_area), float(least_share))
+
+        # All of one state, while another thread may move the points.
+        def read() -> tuple[FloatArray, FloatArray, IndexArray, dict[str, NDArray[Any]]]:
+            handle = box_of_points
+            rows, vectors = handle.rows("points"), handle.rows("vectors")
+            return rows, vectors, handle.integers("point_map"), handle.voronoi(*limits)
+
+        self.points, self._vectors, self._point_map, self._arrays = self.delaunay._aside(read)
         self._begin()
         self.ridge_images: IndexArray = self._arrays["face_images"].reshape(-1, 3)
-        self._vectors = self.delaunay.vectors
 
     def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
         return interruptibly(work, len(self.points) >= LONG_EXPORT)
