@@ -45,8 +45,8 @@ module mgdt_constants
     ! Facets, segments or points of a domain cross or touch where they must not, or are flat. Since
     ! 1.3.
     integer, parameter :: mgdt_err_invalid_boundary = 70
-    ! The mesh of a domain needs points nearer to each other than double precision allows. Since
-    ! 1.3.
+    ! The mesh of a domain needs points nearer to each other than double precision allows, or so
+    ! many on its segments that the build gives up. Since 1.3.
     integer, parameter :: mgdt_err_resolution = 71
     ! The facets of a domain enclose nothing. Since 1.3.
     integer, parameter :: mgdt_err_open_boundary = 72

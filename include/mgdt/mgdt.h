@@ -123,8 +123,8 @@ enum {
     /** Facets, segments or points of a domain cross or touch where they must not, or are flat.
      *  Since 1.3. */
     MGDT_ERR_INVALID_BOUNDARY = 70,
-    /** The mesh of a domain needs points nearer to each other than double precision allows. Since
-     *  1.3. */
+    /** The mesh of a domain needs points nearer to each other than double precision allows, or so
+     *  many on its segments that the build gives up. Since 1.3. */
     MGDT_ERR_RESOLUTION = 71,
     /** The facets of a domain enclose nothing. Since 1.3. */
     MGDT_ERR_OPEN_BOUNDARY = 72,

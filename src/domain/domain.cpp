@@ -25,6 +25,13 @@ struct AtEnd {
 template <class F>
 AtEnd(F) -> AtEnd<F>;
 
+// How much work the division of the segments may take (split_segments()). A unit takes about a
+// microsecond. All surfaces of tests/models.sh stay below.
+std::uint64_t most_work(std::size_t points, bool may_take_long) {
+    const std::uint64_t usual = 100000 + 2000 * std::uint64_t{points};
+    return may_take_long ? 6 * usual : usual;
+}
+
 }  // namespace
 
 void Domain::clear() noexcept {
@@ -217,7 +224,7 @@ void Domain::run(StageProgress& progress) {
         progress.leave_behind(0.1);
         stuck = try_again(bits, false, false);
     }
-    const Stuck first = stuck;
+    Stuck first = stuck;
     int slow_bits = stuck && stuck->takes_long ? bits : 0;
     // First the rule against short parts is tried on the same grid, then coarser grids, on which a
     // segment has more points at which it can be divided.
@@ -236,11 +243,17 @@ void Domain::run(StageProgress& progress) {
     if (stuck && slow_bits != 0) {
         progress.leave_behind(0.8);
         stuck = try_again(slow_bits, true, true);
+        if (stuck) first = stuck;
     }
     if (!stuck) return;
     const auto number = [&](std::size_t k) {
         return static_cast<long long>(first->ends[k]) + settings_.index_base;
     };
+    if (slow_bits != 0)
+        fail(MGDT_ERR_RESOLUTION,
+             "%zu points on segments do not suffice: the segment from point %lld to point %lld is "
+             "missing, and more would take too long",
+             first->steiner_points, number(0), number(1));
     fail(MGDT_ERR_RESOLUTION,
          "the segment from point %lld to point %lld needs points nearer to each other than double "
          "precision allows",
@@ -273,14 +286,15 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     });
     DividedSegments segments(allocator_);
     if (triangulation.dimension() == 3)
-        segments = split_segments(triangulation, points, facets.segments, progress,
-                                  avoids_short_parts, may_take_long, stop);
+        segments =
+            split_segments(triangulation, points, facets.segments, progress, avoids_short_parts,
+                           most_work(complex.boundary.points.size() / 3, may_take_long), stop);
     if (segments.stuck != DividedSegments::none) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];
             return complex.point_of_number[v];
         };
-        return StuckSegment{{end(0), end(1)}, segments.takes_long};
+        return StuckSegment{{end(0), end(1)}, segments.takes_long, segments.steiner.size()};
     }
     progress.enter(0.8, 0.9);
     ConstrainedMesh mesh(triangulation, points, allocator_);

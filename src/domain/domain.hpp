@@ -101,6 +101,7 @@ class Domain {
     struct StuckSegment {
         std::uint32_t ends[2];
         bool takes_long;
+        std::size_t steiner_points;  // how many there were then
     };
     using Stuck = std::optional<StuckSegment>;
     Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,

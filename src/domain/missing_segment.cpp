@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "domain/missing_segment.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/star_traversal.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
+namespace {
+
+bool is_corner_of(const Mesh& mesh, TetId t, VertexId v) {
+    if (t >= mesh.tetrahedra.size() || mesh.tetrahedra[t].is_dead()) return false;
+    const VertexId* const corners = mesh.tetrahedra[t].v;
+    return std::find(corners, corners + 4, v) != corners + 4;
+}
+
+}  // namespace
 
 MissingSegment::MissingSegment(const Triangulation& triangulation, Allocator& allocator)
     : triangulation_(triangulation),
@@ -15,10 +25,10 @@ MissingSegment::MissingSegment(const Triangulation& triangulation, Allocator& al
       star_(allocator),
       around_(allocator) {}
 
-bool MissingSegment::find(std::uint32_t point_a, std::uint32_t point_b) {
+bool MissingSegment::find(std::uint32_t point_a, std::uint32_t point_b, TetId at_a) {
     const VertexId a = triangulation_.point_map()[point_a], b = triangulation_.point_map()[point_b];
     star_.clear();
-    star_.push(where_.tetrahedron_of(a));
+    star_.push(is_corner_of(mesh_, at_a, a) ? at_a : where_.tetrahedron_of(a));
     bool is_edge = false;
     traverse_star(mesh_, a, star_, [&](FacetCode facet) {
         const Tetrahedron& t = mesh_.tetrahedra[tetrahedron_of(facet)];

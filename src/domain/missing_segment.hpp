@@ -15,7 +15,8 @@ class MissingSegment {
 
     // Returns whether the segment between points a and b is missing, and finds reference() if it
     // is. The time grows with the star of a; the result does not depend on the order of a and b.
-    bool find(std::uint32_t a, std::uint32_t b);
+    // The search starts at `at_a` if that is a tetrahedron of a, and locates one otherwise.
+    bool find(std::uint32_t a, std::uint32_t b, TetId at_a = no_tetrahedron);
     // Of the vertices of the tetrahedra that the missing segment meets, the point that sees the
     // segment at the largest angle, or the least such point.
     std::uint32_t reference() const noexcept { return reference_; }

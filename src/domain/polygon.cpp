@@ -3,66 +3,166 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
 
-// A polygon, projected to the plane of two coordinates, from which ears are cut off.
+// A polygon, projected to the plane of two coordinates, from which ears are cut off. The corners
+// are a ring. Those that may be ears are in a heap by the length of the edge that cuts them off;
+// one that is no ear waits for the corner that is in the way, until that is removed or has a new
+// neighbour.
 class EarCutter {
   public:
     EarCutter(const double* points, const std::uint32_t* corners, std::size_t size,
               Allocator& allocator)
-        : points_(points), left_(allocator, size) {
-        for (std::size_t i = 0; i < size; ++i) left_[i] = corners[i];
+        : points_(points),
+          corners_(corners),
+          left_(size),
+          size_(static_cast<std::uint32_t>(size)),
+          ring_(allocator, size),
+          heap_(allocator),
+          waiting_(allocator),
+          doubtful_(allocator) {
         choose_axes();
+        for (std::uint32_t i = 0; i < size_; ++i)
+            ring_[i] = {point(i)[u_],
+                        point(i)[v_],
+                        (i > 0 ? i : size_) - 1,
+                        i + 1 < size_ ? i + 1 : 0,
+                        none,
+                        true,
+                        true};
     }
 
     // Appends the triangles. Returns false if there is no ear.
     bool run(Buffer<std::uint32_t>& triangles) {
         if (is_flat_) return false;
-        while (left_.size() > 3) {
+        for (std::uint32_t i = 0; i < size_; ++i) {
+            push(i);
+            doubtful_.push_back(i);
+        }
+        while (left_ > 3) {
             if (remove_spike()) continue;
-            const std::size_t ear = best_ear();
-            if (ear == left_.size()) return false;
+            const std::uint32_t ear = best_ear();
+            if (ear == none) return false;
             append(before(ear), ear, after(ear), triangles);
             remove(ear);
         }
-        if (left_.size() < 3) return true;
-        if (turn(0, 1, 2) <= 0) return false;
-        append(0, 1, 2, triangles);
+        if (left_ < 3) return true;
+        std::uint32_t first = 0;
+        while (!ring_[first].is_left) ++first;
+        const std::uint32_t second = after(first), third = after(second);
+        if (turn(first, second, third) <= 0) return false;
+        append(first, second, third, triangles);
         return true;
     }
 
   private:
-    const double* point(std::size_t i) const { return points_ + 3 * std::size_t{left_[i]}; }
-    std::size_t after(std::size_t i) const { return i + 1 < left_.size() ? i + 1 : 0; }
-    std::size_t before(std::size_t i) const { return (i > 0 ? i : left_.size()) - 1; }
-    void append(std::size_t a, std::size_t b, std::size_t c,
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+    struct Corner {
+        double x, y;  // in the plane
+        std::uint32_t before, after;
+        std::uint32_t first_waiting;  // the list in waiting_ of those that wait for it
+        bool is_left, is_doubtful;    // doubtful: it may be a spike
+    };
+    // A corner that may be an ear, with its neighbours. If these have changed, it has no meaning.
+    struct Candidate {
+        std::uint32_t before, corner, after;
+    };
+    struct Waiting {
+        Candidate candidate;
+        std::uint32_t next;
+    };
+
+    const double* point(std::uint32_t i) const { return points_ + 3 * std::size_t{corners_[i]}; }
+    std::uint32_t after(std::uint32_t i) const { return ring_[i].after; }
+    std::uint32_t before(std::uint32_t i) const { return ring_[i].before; }
+    void append(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                 Buffer<std::uint32_t>& triangles) const {
-        for (const std::size_t i : {a, b, c}) triangles.push_back(left_[i]);
+        for (const std::uint32_t i : {a, b, c}) triangles.push_back(corners_[i]);
     }
 
-    void remove(std::size_t i) {
-        for (; i + 1 < left_.size(); ++i) left_[i] = left_[i + 1];
-        left_.pop_back();
+    void remove(std::uint32_t i) {
+        const std::uint32_t a = before(i), b = after(i);
+        ring_[i].is_left = false;
+        ring_[a].after = b;
+        ring_[b].before = a;
+        --left_;
+        release(i);
+        for (const std::uint32_t k : {a, b}) {
+            release(k);
+            push(k);
+        }
+        // Whether a corner is a spike depends on two neighbours on each side.
+        for (const std::uint32_t k : {before(a), a, b, after(b)}) {
+            if (ring_[k].is_doubtful) continue;
+            ring_[k].is_doubtful = true;
+            doubtful_.push_back(k);
+            std::push_heap(doubtful_.begin(), doubtful_.end(), std::greater<>());
+        }
+    }
+    bool is_valid(const Candidate& c) const {
+        const Corner& corner = ring_[c.corner];
+        return corner.is_left && corner.before == c.before && corner.after == c.after;
+    }
+    // The order of the heap, whose first candidate has the shortest edge or is the first of equals.
+    auto is_later() const {
+        return [this](const Candidate& a, const Candidate& b) {
+            const int order =
+                compare_lengths(point(a.before), point(a.after), point(b.before), point(b.after));
+            return order != 0 ? order > 0 : a.corner > b.corner;
+        };
+    }
+    void push(std::uint32_t i) {
+        heap_.push_back({before(i), i, after(i)});
+        std::push_heap(heap_.begin(), heap_.end(), is_later());
+    }
+    // Makes the corners that wait for a corner candidates again.
+    void release(std::uint32_t k) {
+        std::uint32_t at = ring_[k].first_waiting;
+        ring_[k].first_waiting = none;
+        while (at != none) {
+            if (is_valid(waiting_[at].candidate)) push(waiting_[at].candidate.corner);
+            const std::uint32_t next = waiting_[at].next;
+            waiting_[at].next = free_;
+            free_ = at;
+            at = next;
+        }
+    }
+    void wait(const Candidate& candidate, std::uint32_t k) {
+        const std::uint32_t at =
+            free_ != none ? free_ : static_cast<std::uint32_t>(waiting_.size());
+        if (free_ != none)
+            free_ = waiting_[at].next;
+        else
+            waiting_.push_back({});
+        waiting_[at] = {candidate, ring_[k].first_waiting};
+        ring_[k].first_waiting = at;
     }
 
-    // Removes a corner with an edge to it and the same edge back, outside of the polygon on both
-    // sides. Ears leave such corners where a hole touches the border. Returns false if there is
-    // none.
+    // Removes the first corner with an edge to it and the same edge back, outside of the polygon on
+    // both sides. Ears leave such corners where a hole touches the border. Returns false if there
+    // is none.
     bool remove_spike() {
-        for (std::size_t i = 0; i < left_.size(); ++i) {
-            const std::size_t a = before(i), b = after(i), p = before(a), n = after(b);
+        while (!doubtful_.empty()) {
+            const std::uint32_t i = doubtful_[0];
+            std::pop_heap(doubtful_.begin(), doubtful_.end(), std::greater<>());
+            doubtful_.pop_back();
+            ring_[i].is_doubtful = false;
+            if (!ring_[i].is_left) continue;
+            const std::uint32_t a = before(i), b = after(i), p = before(a), n = after(b);
             if (!is_same(a, b)) continue;
             const bool is_inside = is_same(p, n) ? false
                                    : turn(p, a, n) > 0
                                        ? turn(a, n, i) > 0 && turn(a, i, p) > 0
                                        : !(turn(a, p, i) >= 0 && turn(a, i, n) >= 0);
             if (is_inside) continue;
-            remove(std::max(i, b));
-            remove(std::min(i, b));
+            remove(i);
+            remove(b);
             return true;
         }
         return false;
@@ -73,15 +173,15 @@ class EarCutter {
     void choose_axes() {
         double normal[3] = {0, 0, 0}, largest = 0;
         const double* const o = point(0);
-        for (std::size_t i = 0; i < left_.size(); ++i)
+        for (std::uint32_t i = 0; i < size_; ++i)
             for (int k = 0; k < 3; ++k)
                 largest = std::max(largest, std::fabs(point(i)[k] / 2 - o[k] / 2));
         if (largest == 0) largest = 1;
-        for (std::size_t i = 0; i < left_.size(); ++i) {
+        for (std::uint32_t i = 0; i < size_; ++i) {
             double p[3], q[3];
             for (int k = 0; k < 3; ++k) {
                 p[k] = (point(i)[k] / 2 - o[k] / 2) / largest;
-                q[k] = (point(after(i))[k] / 2 - o[k] / 2) / largest;
+                q[k] = (point(i + 1 < size_ ? i + 1 : 0)[k] / 2 - o[k] / 2) / largest;
             }
             for (int k = 0; k < 3; ++k) {
                 const int u = (k + 1) % 3, v = (k + 2) % 3;
@@ -98,55 +198,67 @@ class EarCutter {
     }
 
     // The sign of the area of a triangle in the plane: its orientation with a point above.
-    int turn(std::size_t a, std::size_t b, std::size_t c) const {
-        const double *const p = point(a), *const q = point(b), *const r = point(c);
-        const double pa[3] = {p[u_], p[v_], 0}, pb[3] = {q[u_], q[v_], 0},
-                     pc[3] = {r[u_], r[v_], 0}, above[3] = {p[u_], p[v_], 1};
+    int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        const Corner &p = ring_[a], &q = ring_[b], &r = ring_[c];
+        const double pa[3] = {p.x, p.y, 0}, pb[3] = {q.x, q.y, 0}, pc[3] = {r.x, r.y, 0},
+                     above[3] = {p.x, p.y, 1};
         return orientation(pa, pb, pc, above);
     }
     // Whether two corners have one place in the plane.
-    bool is_same(std::size_t a, std::size_t b) const {
-        return point(a)[u_] == point(b)[u_] && point(a)[v_] == point(b)[v_];
+    bool is_same(std::uint32_t a, std::uint32_t b) const {
+        return ring_[a].x == ring_[b].x && ring_[a].y == ring_[b].y;
     }
 
     // Whether corner k is at corner x of the triangle xyz and an edge of it goes into the triangle.
-    bool enters(std::size_t k, std::size_t x, std::size_t y, std::size_t z) const {
+    bool enters(std::uint32_t k, std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
         if (!is_same(k, x)) return false;
-        for (const std::size_t q : {before(k), after(k)})
+        for (const std::uint32_t q : {before(k), after(k)})
             if (turn(x, y, q) > 0 && turn(x, q, z) > 0) return true;
         return false;
     }
 
-    // Whether the triangle at corner i is an ear: no other corner is in it, boundary included.
-    bool is_ear(std::size_t i) const {
-        const std::size_t a = before(i), c = after(i);
-        if (turn(a, i, c) <= 0) return false;
-        for (std::size_t k = 0; k < left_.size(); ++k) {
-            if (k == a || k == i || k == c) continue;
+    // A corner in the triangle at corner i, boundary included, or none.
+    std::uint32_t in_the_way(std::uint32_t i) const {
+        const std::uint32_t a = before(i), c = after(i);
+        const Corner &p = ring_[a], &q = ring_[i], &r = ring_[c];
+        const double low_x = std::min({p.x, q.x, r.x}), high_x = std::max({p.x, q.x, r.x}),
+                     low_y = std::min({p.y, q.y, r.y}), high_y = std::max({p.y, q.y, r.y});
+        for (std::uint32_t k = after(c); k != a; k = after(k)) {
+            const Corner& other = ring_[k];
+            if (other.x < low_x || other.x > high_x || other.y < low_y || other.y > high_y)
+                continue;
             if (is_same(k, a) || is_same(k, i) || is_same(k, c)) {
-                if (enters(k, a, i, c) || enters(k, i, c, a) || enters(k, c, a, i)) return false;
+                if (enters(k, a, i, c) || enters(k, i, c, a) || enters(k, c, a, i)) return k;
                 continue;
             }
-            if (turn(a, i, k) >= 0 && turn(i, c, k) >= 0 && turn(c, a, k) >= 0) return false;
+            if (turn(a, i, k) >= 0 && turn(i, c, k) >= 0 && turn(c, a, k) >= 0) return k;
         }
-        return true;
+        return none;
     }
 
-    // The ear with the shortest new edge, or left_.size() if there is none.
-    std::size_t best_ear() const {
-        std::size_t best = left_.size();
-        for (std::size_t i = 0; i < left_.size(); ++i) {
-            if (best != left_.size() &&
-                compare_lengths(point(before(i)), point(after(i)), point(before(best)),
-                                point(after(best))) >= 0)
-                continue;
-            if (is_ear(i)) best = i;
+    // The ear with the shortest new edge, the first of equal ones, or none.
+    std::uint32_t best_ear() {
+        while (!heap_.empty()) {
+            const Candidate best = heap_[0];
+            std::pop_heap(heap_.begin(), heap_.end(), is_later());
+            heap_.pop_back();
+            if (!is_valid(best) || turn(best.before, best.corner, best.after) <= 0) continue;
+            const std::uint32_t k = in_the_way(best.corner);
+            if (k == none) return best.corner;
+            wait(best, k);
         }
-        return best;
+        return none;
     }
 
     const double* points_;
-    Buffer<std::uint32_t> left_;  // the corners that are left
+    const std::uint32_t* corners_;
+    std::size_t left_;
+    const std::uint32_t size_;
+    Buffer<Corner> ring_;
+    Buffer<Candidate> heap_;
+    Buffer<Waiting> waiting_;
+    std::uint32_t free_ = none;       // the list of unused elements of waiting_
+    Buffer<std::uint32_t> doubtful_;  // a heap
     int u_ = 0, v_ = 1;
     bool is_flat_ = false;  // the corners are on a line, or the polygon crosses itself
 };

@@ -15,14 +15,14 @@ class Splitting {
   public:
     Splitting(Triangulation& triangulation, Buffer<double>& points,
               const Buffer<std::uint32_t>& segments, StageProgress& progress,
-              bool avoids_short_parts, bool may_take_long, const StopRequest& stop)
+              bool avoids_short_parts, std::uint64_t most_work, const StopRequest& stop)
         : allocator_(triangulation.allocator()),
           triangulation_(triangulation),
           points_(points),
           segments_(segments),
           progress_(progress),
           avoids_short_parts_(avoids_short_parts),
-          may_take_long_(may_take_long),
+          most_work_(most_work),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
           result_(allocator_),
@@ -33,6 +33,7 @@ class Splitting {
           touches_(allocator_),
           round_near_(allocator_),
           near_(allocator_),
+          tetrahedron_at_(allocator_),
           is_suspect_(allocator_),
           first_part_(allocator_),
           parts_of_(allocator_),
@@ -51,9 +52,9 @@ class Splitting {
         list_parts();
         touches_.resize(points_.size() / 3, Touches());
         round_near_.resize(points_.size() / 3, 0u);
+        tetrahedron_at_.resize(points_.size() / 3, no_tetrahedron);
         for (std::uint32_t round = 1; find_splits() && result_.stuck == none; ++round) {
-            if (!may_take_long_ && round > many_rounds &&
-                result_.steiner.size() / many_times > degree_.size() - result_.steiner.size()) {
+            if (work_ > most_work_) {
                 result_.stuck = parts_[splits_[0].part].segment;
                 result_.takes_long = true;
                 break;
@@ -70,9 +71,8 @@ class Splitting {
 
   private:
     static constexpr std::uint32_t none = DividedSegments::none;
-    // Nearly all surfaces take less than a hundred rounds, and less than 30 times as many points as
-    // they have.
-    static constexpr std::uint32_t many_rounds = 1000, many_times = 40;
+    // The work of a round beside that at the stars of its points.
+    static constexpr std::uint64_t work_of_round = 64;
 
     // Where to divide a subsegment that is no edge.
     struct Split {
@@ -103,7 +103,8 @@ class Splitting {
             const Subsegment& s = parts_[part];
             // From the end with fewer segments, whose star is smaller. The result is the same.
             const unsigned from = degree_[s.ends[1]] < degree_[s.ends[0]] ? 1 : 0;
-            if (!search.find(s.ends[from], s.ends[1 - from])) continue;
+            const std::uint32_t a = s.ends[from], b = s.ends[1 - from];
+            if (!search.find(a, b, tetrahedron_at_[a])) continue;
             if (s.k1 - s.k0 < 2) result_.stuck = s.segment;
             if (result_.stuck != none) break;
             const std::uint32_t reference = search.reference();
@@ -160,6 +161,7 @@ class Splitting {
             degree_.push_back(2);
             touches_.push_back({});
             round_near_.push_back(0);
+            tetrahedron_at_.push_back(no_tetrahedron);
             const Subsegment second = {{middle, s.ends[1]}, s.segment, split.k, s.k1};
             const auto number = static_cast<std::uint32_t>(parts_.size());
             // The second part takes the place of the whole one at their common end.
@@ -195,6 +197,7 @@ class Splitting {
         const Mesh& mesh = triangulation_.mesh();
         const Locator where = {mesh, triangulation_.calls(), nullptr};
         VisitQueue star(allocator_);
+        work_ += work_of_round;
         const auto count = static_cast<std::uint32_t>(points_.size() / 3);
         for (std::uint32_t p = first_new_; p < count; ++p) {
             const VertexId v = triangulation_.point_map()[p];
@@ -202,9 +205,14 @@ class Splitting {
             star.push(where.tetrahedron_of(v));
             traverse_star(mesh, v, star,
                           [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+            work_ += star.size();
             for (std::size_t i = 0; i < star.size(); ++i)
                 for (const VertexId u : mesh.tetrahedra[star[i]].v)
-                    if (u != infinite_vertex) note_near(mesh.vertices[u].index, round);
+                    if (u != infinite_vertex) {
+                        const std::uint32_t near = mesh.vertices[u].index;
+                        tetrahedron_at_[near] = star[i];
+                        note_near(near, round);
+                    }
         }
         const std::size_t first_found = suspects_.size();
         for (const std::uint32_t v : near_)
@@ -247,7 +255,8 @@ class Splitting {
     const Buffer<std::uint32_t>& segments_;
     StageProgress& progress_;
     const bool avoids_short_parts_;
-    const bool may_take_long_;
+    const std::uint64_t most_work_;
+    std::uint64_t work_ = 0;
     const StopRequest stop_;
     const Buffer<std::uint8_t> acute_;  // for each end of each segment
     DividedSegments result_;
@@ -258,6 +267,7 @@ class Splitting {
     Buffer<Touches> touches_;           // for each point
     Buffer<std::uint32_t> round_near_;  // the last round in which a point had a new neighbour
     Buffer<std::uint32_t> near_;        // the points that had one in this round
+    Buffer<TetId> tetrahedron_at_;      // a tetrahedron of each point, or no_tetrahedron
     Buffer<std::uint8_t> is_suspect_;   // for each subsegment, whether suspects_ has it
     // For each point the parts that end there: parts_of_[first_part_[v]] to
     // parts_of_[first_part_[v + 1] - 1]. For a point that was put on a segment, the one before it
@@ -272,10 +282,9 @@ class Splitting {
 
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, bool may_take_long,
+                               bool avoids_short_parts, std::uint64_t most_work,
                                const StopRequest& stop) {
-    return Splitting(triangulation, points, segments, progress, avoids_short_parts, may_take_long,
-                     stop)
+    return Splitting(triangulation, points, segments, progress, avoids_short_parts, most_work, stop)
         .run();
 }
 

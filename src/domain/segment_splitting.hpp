@@ -28,8 +28,8 @@ struct DividedSegments {
 
     Buffer<Subsegment> parts;
     Buffer<SteinerPoint> steiner;
-    // A segment that has no point left at which it can be divided, or one that is missing after
-    // many rounds with many points; then the rest is not complete.
+    // A segment that has no point left at which it can be divided, or one that is missing when the
+    // work is used up; then the rest is not complete.
     std::uint32_t stuck = none;
     bool takes_long = false;  // whether the latter was the reason
 };
@@ -43,10 +43,11 @@ struct DividedSegments {
 // except at points where 16 or more have to be divided. The result depends on the points and on the
 // segments alone. Their rule that avoids short parts is optional: without it there are fewer
 // points, but on few segments the parts become shorter and shorter. On some grids that takes very
-// long, so the function gives up unless it may.
+// long, so the function gives up when its work exceeds `most_work`. The work of a round is the
+// number of tetrahedra at its new points, and 64; it is the same for any number of threads.
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, bool may_take_long,
+                               bool avoids_short_parts, std::uint64_t most_work,
                                const StopRequest& stop);
 
 }  // namespace mgdt

@@ -18,23 +18,6 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-void give(Domain& domain, const Surface& s) {
-    DomainInput& input = domain.input();
-    for (const double x : s.points) input.points.push_back(x);
-    input.facet_begin.push_back(0);
-    for (std::size_t f = 0; f < s.facets.size(); ++f) {
-        for (const std::uint32_t v : s.facets[f]) input.corners.push_back(v);
-        input.facet_begin.push_back(static_cast<std::uint32_t>(input.corners.size()));
-        input.facet_markers.push_back(s.markers[f]);
-    }
-    for (std::size_t i = 0; i < s.segments.size(); ++i) {
-        input.segments.push_back(s.segments[i]);
-        if (i % 2 == 0) input.segment_markers.push_back(static_cast<std::int32_t>(i));
-    }
-    for (std::size_t i = 0; i < s.holes.size(); i += 3)
-        input.holes.push_back({{s.holes[i], s.holes[i + 1], s.holes[i + 2]}, 0});
-}
-
 Rational determinant(const double* a, const double* b, const double* c) {
     const Rational x[3][3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
     return x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) -
@@ -98,17 +81,6 @@ TEST(Domain, MeshesAllTestSurfaces) {
             EXPECT_NEAR(volume(m), s.volume, 1e-9 * s.volume);
         }
     }
-}
-
-// The statuses and messages of calls that fail.
-template <class Call>
-Error error_of(Call call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return e;
-    }
-    return {MGDT_OK, ""};
 }
 
 bool is_valid(const DomainInput& input) {

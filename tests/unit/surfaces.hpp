@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "domain/domain.hpp"
+
 namespace mgdt {
 
 struct Surface {
@@ -461,6 +463,34 @@ inline std::vector<Surface> test_surfaces() {
         rotate(all.back(), seed, 2 * seed);
     }
     return all;
+}
+
+inline void give(Domain& domain, const Surface& s) {
+    DomainInput& input = domain.input();
+    for (const double x : s.points) input.points.push_back(x);
+    input.facet_begin.push_back(0);
+    for (std::size_t f = 0; f < s.facets.size(); ++f) {
+        for (const std::uint32_t v : s.facets[f]) input.corners.push_back(v);
+        input.facet_begin.push_back(static_cast<std::uint32_t>(input.corners.size()));
+        input.facet_markers.push_back(s.markers[f]);
+    }
+    for (std::size_t i = 0; i < s.segments.size(); ++i) {
+        input.segments.push_back(s.segments[i]);
+        if (i % 2 == 0) input.segment_markers.push_back(static_cast<std::int32_t>(i));
+    }
+    for (std::size_t i = 0; i < s.holes.size(); i += 3)
+        input.holes.push_back({{s.holes[i], s.holes[i + 1], s.holes[i + 2]}, 0});
+}
+
+// The status and the message of a call, MGDT_OK if it does not fail.
+template <class Call>
+Error error_of(Call call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return e;
+    }
+    return {MGDT_OK, ""};
 }
 
 }  // namespace mgdt
