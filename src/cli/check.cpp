@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/commands.hpp"
+#include "cli/domain_program.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/mid_side_nodes.hpp"
 #include "cli/mesh_check.hpp"
@@ -29,6 +30,54 @@ void print(const char* what, bool good, const std::string& detail) {
     fmt::print("  {:<12} {:<4} {}\n", what, good ? "ok" : "BAD", detail);
 }
 
+// The points with the boundary facets of a mesh, which may not cross.
+Finding crossings(const Mesh& mesh, const std::vector<MeshIndex>& boundary,
+                  const CheckOptions& options, const std::string& name) {
+    Mesh surface;
+    std::vector<std::int64_t> number(mesh.point_count(), -1);
+    for (std::size_t i = 0; i < boundary.size(); i += 3) {
+        std::int64_t corners[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto v = static_cast<std::size_t>(boundary[i + k]);
+            if (number[v] < 0) {
+                number[v] = static_cast<std::int64_t>(surface.point_count());
+                surface.points.insert(surface.points.end(), &mesh.points[3 * v],
+                                      &mesh.points[3 * v] + 3);
+            }
+            corners[k] = number[v];
+        }
+        surface.facets.add_facet(corners, 3);
+    }
+    Domain domain = make_domain(surface, options.triangulation.threads,
+                                options.triangulation.memory_limit, name);
+    try {
+        domain.validate();
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_BOUNDARY) rethrow_failure(name, domain.last_error());
+        return {"crossings", false,
+                fmt::format("{} of boundary facets cross or touch",
+                            counted(offending_pairs(domain).size(), "pair", "pairs"))};
+    }
+    return {"crossings", true, "boundary facets meet in common corners and edges only"};
+}
+
+int check_constrained(const Mesh& mesh, const Reference& reference, const CheckOptions& options,
+                      const std::string& name) {
+    auto [report, boundary] = check_constrained_mesh(mesh, reference);
+    if (report.valid) report.findings.push_back(crossings(mesh, boundary, options, name));
+    const Finding* first = nullptr;
+    for (const Finding& f : report.findings) {
+        if (!options.triangulation.quiet) print(f.what, f.good, f.detail);
+        if (!f.good && first == nullptr) first = &f;
+    }
+    if (first != nullptr)
+        throw Error(exit_check_failed, fmt::format("{}: not a mesh of tetrahedra: {}: {}", name,
+                                                   first->what, first->detail));
+    if (!options.triangulation.quiet)
+        fmt::print("{}: a mesh whose boundary does not cross itself\n", name);
+    return exit_ok;
+}
+
 }  // namespace
 
 int check(const CheckOptions& options) {
@@ -36,7 +85,9 @@ int check(const CheckOptions& options) {
     const std::string name = input_name(options.input.path);
     const Format* format = nullptr;
     const bool pair = !options.points.empty();
-    const Mesh mesh = pair ? read_pair(options) : read_input(options.input, &format);
+    InputOptions input = options.input;
+    input.read.has_facets = true;  // the faces that are constrained
+    const Mesh mesh = pair ? read_pair(options) : read_input(input, &format);
     if (!quiet) {
         fmt::print("{}: {}, {}", name, format ? format->name : "npy",
                    counted(mesh.point_count(), "point", "points"));
@@ -80,7 +131,11 @@ int check(const CheckOptions& options) {
 
     const Reference reference{tetrahedra(t), t.point_map<MeshIndex>()};
     t = Triangulation();  // frees its memory for the tests
+    if (options.is_constrained) return check_constrained(mesh, reference, options, name);
     const MeshReport report = check_mesh(mesh, reference);
+    // A file with triangles says that it has a boundary of its own.
+    if (!report.valid && mesh.facets.size() > 0)
+        return check_constrained(mesh, reference, options, name);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
     if (!quiet) {
         for (const Finding& f : report.findings) print(f.what, f.good, f.detail);
@@ -91,7 +146,9 @@ int check(const CheckOptions& options) {
             if (!f.good && first.empty()) first = fmt::format("{}: {}", f.what, f.detail);
         }
         throw Error(exit_check_failed,
-                    fmt::format("{}: not a Delaunay triangulation of its points: {}", name, first));
+                    fmt::format("{}: not a Delaunay triangulation of its points: {} (--constrained "
+                                "checks other meshes)",
+                                name, first));
     }
     if (!quiet) {
         const bool same = report.in_common == canonical && canonical == mesh.tetrahedron_count();

@@ -39,7 +39,7 @@ Mesh read_input(const InputOptions& options, const Format** format) {
         // Commands that read facets have no use for an empty file, and no such option.
         source.fail(
             fmt::format("is empty, as after a program that failed to write it{}",
-                        options.read.has_facets ? "" : "; --allow-empty takes it as no points"));
+                        options.needs_facets ? "" : "; --allow-empty takes it as no points"));
     }
     if (file.identity()) mesh.inputs.push_back(*file.identity());
     return mesh;

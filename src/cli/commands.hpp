@@ -19,6 +19,7 @@ struct InputOptions {
     std::string from;  // format; if empty, it is found by extension, then by content
     ReadOptions read;
     bool allow_empty = false;  // accept an empty file as no points
+    bool needs_facets = false;
 };
 
 struct OutputOptions {
@@ -58,6 +59,7 @@ struct CheckOptions {
     InputOptions input;
     std::string points;  // file of the points, if `input` is an array of tetrahedra
     int index_base = 0;  // the index base of that array
+    bool is_constrained = false;
     TriangulationOptions triangulation;
 };
 int check(const CheckOptions& options);

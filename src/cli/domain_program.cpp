@@ -9,7 +9,7 @@
 namespace mgdt::cli {
 
 Mesh read_facets(InputOptions input) {
-    input.read.has_facets = true;
+    input.read.has_facets = input.needs_facets = true;
     const Format* format = nullptr;
     Mesh mesh = read_input(input, &format);
     const std::string name = input_name(input.path);

@@ -423,6 +423,10 @@ int run(const std::vector<std::string>& words) {
     check_app->add_option("--index-base", c.index_base, "Number of the first point in that .npy")
         ->check(CLI::IsMember({0, 1}))
         ->type_name("0|1");
+    check_app->add_flag("--constrained", c.is_constrained,
+                        "Check a mesh that need not be Delaunay or convex: tetrahedra that meet in "
+                        "faces, and a boundary that does not cross itself. Files with triangles "
+                        "that are no Delaunay triangulation are checked so, too");
     add_triangulation(*check_app, c.triangulation);
     check_app->footer(exit_codes);
 

@@ -65,6 +65,20 @@ class MeshChecker {
         return std::move(report_);
     }
 
+    ConstrainedReport run_constrained() {
+        load();
+        check_orientation();
+        std::vector<MeshIndex> boundary;
+        if (report_.valid) {
+            match_facets();
+            check_sharing();
+            count_other_facets();
+            boundary = check_boundary();
+            check_cover();
+        }
+        return {std::move(report_), std::move(boundary)};
+    }
+
   private:
     const double* point(Index v) const { return mesh_.points.data() + 3 * std::size_t{v}; }
 
@@ -184,7 +198,7 @@ class MeshChecker {
         if (sort3(f) == sort3(g) && folded_++ == 0) first_folded_ = a;
     }
 
-    void check_facets() {
+    void check_sharing() {
         if (crowded_ > 0) {
             add("facets", false,
                 fmt::format("{} to more than two tetrahedra, the first to number {}",
@@ -197,20 +211,31 @@ class MeshChecker {
         } else {
             add("facets", true, "every facet has one or two tetrahedra, two on opposite sides");
         }
+    }
 
-        std::size_t shared = 0, bad = 0, first = 0, ties = 0;
+    // Calls visit(code, side) for each shared facet: whether the vertex opposite it in the other
+    // tetrahedron is inside the circumsphere.
+    template <class Visit>
+    void visit_shared(const Visit& visit) const {
         for (std::size_t code = 0; code < partner_.size(); ++code) {
             if ((code & 0xFFFF) == 0) check_interrupt();
             const Index other = partner_[code];
             if (other == none || other < code) continue;
-            ++shared;
             const Quad& v = tetrahedra_[code / 4];
             const Index q = tetrahedra_[other / 4][other % 4];
-            const int side =
-                side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(q));
+            visit(code,
+                  side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(q)));
+        }
+    }
+
+    void check_facets() {
+        check_sharing();
+        std::size_t shared = 0, bad = 0, first = 0, ties = 0;
+        visit_shared([&](std::size_t code, int side) {
+            ++shared;
             if (side == 0) ++ties;
             if (side > 0 && bad++ == 0) first = code;
-        }
+        });
         if (bad > 0) {
             add("spheres", false,
                 fmt::format("at {} of {} shared facets the opposite vertex is inside the "
@@ -222,6 +247,68 @@ class MeshChecker {
                             "them cospherical",
                             shared, ties));
         }
+    }
+
+    Triple sorted_facet(std::size_t code) const {
+        Triple f = facet(code / 4, static_cast<int>(code % 4));
+        sort3(f);
+        return f;
+    }
+
+    void count_other_facets() {
+        std::vector<Triple> constrained;
+        const FileFacets& facets = mesh_.facets;
+        for (std::size_t f = 0; f < facets.size(); ++f) {
+            const auto begin = static_cast<std::size_t>(facets.begin[f]);
+            if (facets.begin[f + 1] - facets.begin[f] != 3) continue;
+            Triple t;
+            for (std::size_t k = 0; k < 3; ++k)
+                t[k] = static_cast<Index>(
+                    reference_.point_map[static_cast<std::size_t>(facets.corners[begin + k])]);
+            sort3(t);
+            constrained.push_back(t);
+        }
+        std::sort(constrained.begin(), constrained.end());
+        std::size_t shared = 0, held = 0, others = 0;
+        visit_shared([&](std::size_t code, int side) {
+            ++shared;
+            if (std::binary_search(constrained.begin(), constrained.end(), sorted_facet(code)))
+                ++held;
+            else if (side > 0)
+                ++others;
+        });
+        add("Delaunay", true,
+            fmt::format("{} of {} shared facets that are not constrained{}",
+                        others == 0 ? "all" : fmt::format("all but {}", others), shared - held,
+                        held == 0 ? "" : fmt::format("; {} are", held)));
+    }
+
+    // Checks that an even number of boundary facets meet at each edge, and returns these facets.
+    std::vector<MeshIndex> check_boundary() {
+        std::vector<MeshIndex> boundary;
+        std::vector<std::array<Index, 2>> edges;
+        for (std::size_t code = 0; code < partner_.size(); ++code) {
+            if (partner_[code] != none) continue;
+            const Triple f = facet(code / 4, static_cast<int>(code % 4));
+            for (std::size_t i = 0; i < 3; ++i) {
+                boundary.push_back(static_cast<MeshIndex>(f[i]));
+                const Index a = f[i], b = f[(i + 1) % 3];
+                edges.push_back({std::min(a, b), std::max(a, b)});
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        std::size_t odd = 0;
+        const std::array<Index, 2>* first = nullptr;
+        for (auto e = edges.begin(); e != edges.end();) {
+            const auto stop = std::upper_bound(e, edges.end(), *e);
+            if ((stop - e) % 2 != 0 && odd++ == 0) first = &*e;
+            e = stop;
+        }
+        add("boundary", odd == 0,
+            odd == 0 ? fmt::format("{} facets, an even number at each edge", boundary.size() / 3)
+                     : fmt::format("an odd number of facets at {}, the first from point {} to {}",
+                                   counted(odd, "edge", "edges"), (*first)[0], (*first)[1]));
+        return boundary;
     }
 
     InteriorPoint inside_of_first() const {
@@ -391,6 +478,10 @@ class MeshChecker {
 
 MeshReport check_mesh(const Mesh& mesh, const Reference& reference) {
     return MeshChecker(mesh, reference).run();
+}
+
+ConstrainedReport check_constrained_mesh(const Mesh& mesh, const Reference& reference) {
+    return MeshChecker(mesh, reference).run_constrained();
 }
 
 }  // namespace mgdt::cli

@@ -13,6 +13,12 @@
 //                point inside the first tetrahedron is beyond no boundary facet.
 //   cover        That point is in no other tetrahedron.
 //   vertices     Every point is a vertex.
+// Of a constrained mesh, whose boundary may be concave and whose tetrahedra may be any, these are
+// made: orientation, facets and cover; and
+//   boundary     An even number of boundary facets meet at each edge. The caller sees whether they
+//                cross.
+//   Delaunay     How many shared facets that are not constrained have an opposite vertex inside of
+//                a circumsphere; any number is good.
 // docs/theory.md, "What the check proves", shows that tetrahedra which pass these tests are a
 // Delaunay triangulation of the points.
 #pragma once
@@ -43,5 +49,13 @@ struct MeshReport {
 };
 
 MeshReport check_mesh(const Mesh& mesh, const Reference& reference);
+
+struct ConstrainedReport {
+    MeshReport report;
+    std::vector<MeshIndex> boundary;  // the corners of the boundary facets, 3 each
+};
+
+// The facets of `mesh.facets` that are triangles are constrained.
+ConstrainedReport check_constrained_mesh(const Mesh& mesh, const Reference& reference);
 
 }  // namespace mgdt::cli

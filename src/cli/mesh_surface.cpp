@@ -132,6 +132,25 @@ void warn_of_losses(const Domain& domain, const std::string& name) {
     warn(DomainNumber::unused_points, "point", "points", "in no tetrahedron");
 }
 
+// Adds the faces that are at a tetrahedron.
+void add_faces(const Domain& domain, Mesh& mesh) {
+    const std::vector<MeshIndex> corners = domain.array<MeshIndex>(DomainArray::faces),
+                                 tetrahedra = domain.array<MeshIndex>(DomainArray::face_tetrahedra),
+                                 markers = domain.array<MeshIndex>(DomainArray::face_markers);
+    for (std::size_t f = 0; f < markers.size(); ++f) {
+        const MeshIndex front = tetrahedra[2 * f], back = tetrahedra[2 * f + 1],
+                        t = back >= 0 ? back : front;
+        if (t < 0) continue;
+        const MeshIndex* const face = &corners[3 * f];
+        const MeshIndex* const tetrahedron = &mesh.tetrahedra[4 * static_cast<std::size_t>(t)];
+        std::uint32_t k = 0;
+        while (std::find(face, face + 3, tetrahedron[k]) != face + 3) ++k;
+        mesh.faces.corners.insert(mesh.faces.corners.end(), face, face + 3);
+        mesh.faces.markers.push_back(markers[f]);
+        mesh.faces.sides.push_back(4 * static_cast<std::uint32_t>(t) + k);
+    }
+}
+
 // The mesh, with the points that were read first.
 Mesh mesh_of(const Domain& domain) {
     Mesh mesh;
@@ -144,6 +163,7 @@ Mesh mesh_of(const Domain& domain) {
     const std::vector<MeshIndex> markers = domain.array<MeshIndex>(DomainArray::region_markers);
     for (const MeshIndex region : domain.array<MeshIndex>(DomainArray::regions))
         mesh.regions.push_back(markers[static_cast<std::size_t>(region)]);
+    add_faces(domain, mesh);
     return mesh;
 }
 
@@ -168,6 +188,7 @@ int mesh_surface(const MeshOptions& options) {
     const OutputOptions& output = options.output;
     const Format& format = tetrahedra_format(output);
     const std::string name = input_name(options.input.path);
+    WriteOptions write = output.write;
     Mesh mesh;
     std::size_t n_facets = 0, n_points = 0, n_steiner = 0, n_regions = 0;
     {
@@ -182,12 +203,15 @@ int mesh_surface(const MeshOptions& options) {
         n_regions = static_cast<std::size_t>(domain.number(DomainNumber::regions));
         if (!options.quiet) warn_of_losses(domain, name);
         mesh = mesh_of(domain);
+        mesh.faces.names = input.facets.names;
+        // TetGen's files keep the number of their first point.
+        if (&format == &tetgen_format() && !write.is_base_chosen)
+            write.index_base = input.first_number.value_or(0);
     }
     if (!options.all_points) take_out_unused_points(mesh);
     OutputSet outputs;
-    format.write_mesh(mesh, output.path, outputs, output.write);
-    if (format.write_neighbors)
-        format.write_neighbors(mesh.neighbors, output.path, outputs, output.write);
+    format.write_mesh(mesh, output.path, outputs, write);
+    if (format.write_neighbors) format.write_neighbors(mesh.neighbors, output.path, outputs, write);
     outputs.commit();
     if (!options.quiet && output.path != "-")
         fmt::print("{}, {}, {} added, {}, {}{}: {}\n", counted(n_facets, "facet", "facets"),

@@ -15,7 +15,8 @@ std::vector<MeshIndex> take_out_unused_points(Mesh& mesh) {
         numbers[i] = static_cast<MeshIndex>(kept++);
     }
     mesh.points.resize(3 * kept);
-    for (MeshIndex& v : mesh.tetrahedra) v = numbers[static_cast<std::size_t>(v)];
+    for (std::vector<MeshIndex>* const corners : {&mesh.tetrahedra, &mesh.faces.corners})
+        for (MeshIndex& v : *corners) v = numbers[static_cast<std::size_t>(v)];
     return numbers;
 }
 

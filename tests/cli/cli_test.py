@@ -105,7 +105,7 @@ class Usage(CliTest):
         self.fails(2, "triangulate", points, "-o", "m.xyz", says="no place for tetrahedra")
         self.fails(2, "triangulate", points, "-o", "-", says="--to")
         self.fails(2, "triangulate", points, "-o", "m.vtu", "--to", "step", says="'step'")
-        self.fails(2, "triangulate", points, "-o", "-", "--to", "tetgen", says="three files")
+        self.fails(2, "triangulate", points, "-o", "-", "--to", "tetgen", says="several files")
         self.fails(2, "triangulate", points, "-o", "m.vtu", "--scheme", "best",
                    says=["'best'", "multi-grid"])
         self.fails(2, "triangulate", points, "-o", "m.vtu", "--index-base", "2", says="--index-base")

@@ -10,6 +10,9 @@ import struct
 import sys
 import unittest
 
+import meshio
+import numpy as np
+
 sys.dont_write_bytecode = True  # the source tree stays as it is
 import cli_test
 from cli_test import CliTest
@@ -115,6 +118,49 @@ def abaqus(points, facets):
 
 
 # A box with a square tunnel: the ends are facets of two polygons with a hole. One region.
+TWO = """# two boxes with a wall between them
+12 3 0 0
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+9 2 0 0
+10 2 1 0
+11 2 1 1
+12 2 0 1
+11 1
+1 0 1
+4 1 2 3 4
+1 0 1
+4 5 6 7 8
+1 0 1
+4 1 2 6 5
+1 0 1
+4 4 3 7 8
+1 0 2
+4 1 4 8 5
+1 0 3
+4 2 3 7 6
+1 0 1
+4 2 9 10 3
+1 0 1
+4 6 12 11 7
+1 0 1
+4 2 9 12 6
+1 0 -5
+4 3 10 11 7
+1 0 4
+4 9 10 11 12
+0
+2
+1 0.5 0.5 0.5 10 0.1
+2 1.5 0.5 0.5 -20
+"""
+
 POLY = """# a comment
 16 3 0 0
 0 0 0 0
@@ -238,6 +284,108 @@ class Meshes(CliTest):
         self.assertEqual(self.get("n.ele"), self.get("m.ele"))
         self.mgdt("mesh", "tunnel.poly", "-o", "m.vtu")
         self.assertIn(b'Name="region"', self.get("m.vtu"))
+
+    def test_markers_in_every_format(self):
+        """Two boxes side by side: regions 10 and -20, facets 1 to 4 and -5."""
+        self.put("two.poly", TWO)
+        faces, regions = None, None
+        for options in (["m.vtu"], ["m.vtk"], ["m4.msh"], ["m2.msh", "--to", "gmsh2"], ["m.mesh"]):
+            self.mgdt("mesh", "-q", "two.poly", "-o", *options)
+            mesh = meshio.read(self.path(options[0]))
+            name = {"vtu": ("region", "facet"), "vtk": ("region", "facet"), "mesh": ("medit:ref",) * 2}.get(
+                options[0].split(".")[1], ("gmsh:physical",) * 2)
+            found = [{}, {}]
+            for k, cells in enumerate(mesh.cells):
+                kind = {"tetra": 0, "triangle": 1}[cells.type]
+                for cell, marker in zip(cells.data, np.ravel(mesh.cell_data[name[kind]][k])):
+                    place = tuple(sorted(map(tuple, mesh.points[cell].tolist())))
+                    found[kind][place] = int(marker)
+            self.assertEqual(len(found[0]), sum(len(c.data) for c in mesh.cells if c.type == "tetra"))
+            if faces is None:
+                regions, faces = found
+                self.assertEqual((set(regions.values()), set(faces.values())), ({10, -20}, {1, 2, 3, 4, -5}))
+            if "gmsh" in name[0]:
+                # Gmsh's groups are positive; the names of others have the marker.
+                self.assertEqual({k: tuple(v) for k, v in mesh.field_data.items()},
+                                 {"region -20": (11, 3), "facets -5": (5, 2)})
+                found[0] = {k: -20 if m == 11 else m for k, m in found[0].items()}
+                found[1] = {k: -5 if m == 5 else m for k, m in found[1].items()}
+            self.assertEqual(found[0], regions, options)
+            self.assertEqual(found[1], faces, options)
+        # TetGen's files keep the base of the input.
+        self.mgdt("mesh", "-q", "two.poly", "-o", "m.ele")
+        nodes, tets, triangles = (
+            [line.split() for line in self.get(f"m.{end}").decode().splitlines()] for end in ("node", "ele", "face"))
+        self.assertEqual((nodes[1][0], tets[0][1:], tets[1][0], triangles[0][1]), ("1", ["4", "1"], "1", "1"))
+        place = {row[0]: tuple(map(float, row[1:4])) for row in nodes[1:]}
+        found = {tuple(sorted(place[v] for v in row[1:5])): int(row[5]) for row in tets[1:]}
+        self.assertEqual(found, regions)
+        self.assertEqual(len(triangles) - 1, len(faces))
+        self.assertEqual({int(row[4]) for row in triangles[1:]}, {1, 2, 3, 4, -5})
+        self.mgdt("mesh", "-q", "two.poly", "-o", "z.ele", "--index-base", 0)
+        self.assertEqual(self.get("z.node").decode().splitlines()[1].split()[0], "0")
+        # Abaqus's sets and surfaces.
+        self.mgdt("mesh", "-q", "two.poly", "-o", "m.inp")
+        text = self.get("m.inp").decode()
+        for label in ("*ELSET, ELSET=REGION_10\n", "*ELSET, ELSET=REGION_M20\n", "NAME=FACETS_1\n", "NAME=FACETS_M5\n"):
+            self.assertIn(label, text)
+        cells, points, surfaces = {}, {}, {}
+        for part in text.split("*")[1:]:
+            head, *rows = part.splitlines()
+            rows = [row.split(", ") for row in rows]
+            if head == "NODE":
+                points = {row[0]: tuple(map(float, row[1:])) for row in rows}
+            elif head.startswith("ELEMENT"):
+                cells = {row[0]: row[1:] for row in rows}
+            elif head.startswith("SURFACE"):
+                surfaces[head.split("=")[-1]] = rows
+        sides = {"S1": (0, 1, 2), "S2": (0, 3, 1), "S3": (1, 3, 2), "S4": (2, 3, 0)}
+        for label, marker in (("FACETS_1", 1), ("FACETS_2", 2), ("FACETS_3", 3), ("FACETS_4", 4), ("FACETS_M5", -5)):
+            found = {tuple(sorted(points[cells[e][k]] for k in sides[s])) for e, s in surfaces[label]}
+            expected = {place for place, m in faces.items() if m == marker}
+            self.assertEqual(found, expected, label)
+
+    def test_names_of_groups(self):
+        head = '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 7 "inlet"\n2 8 "the wall"\n3 9 "body"\n' \
+               "$EndPhysicalNames\n"
+        rows = "".join(f"{i + 1} {x} {y} {z}\n" for i, (x, y, z) in enumerate(CUBE))
+        squares = "".join(f"{k + 1} 3 2 {7 if k == 0 else 8} {k + 1} {' '.join(str(v + 1) for v in s)}\n"
+                          for k, s in enumerate(SQUARES))
+        self.put("groups.msh", f"{head}$Nodes\n8\n{rows}$EndNodes\n$Elements\n6\n{squares}$EndElements\n")
+        for options in (["g4.msh"], ["g2.msh", "--to", "gmsh2"]):
+            self.mgdt("mesh", "-q", "groups.msh", "-o", *options)
+            mesh = meshio.read(self.path(options[0]))
+            self.assertEqual({k: tuple(v) for k, v in mesh.field_data.items()}, {"inlet": (7, 2), "the wall": (8, 2), "region 0": (1, 3)})
+        self.mgdt("mesh", "-q", "groups.msh", "-o", "g.inp")
+        self.assertIn(b"NAME=inlet\n", self.get("g.inp"))
+        self.assertIn(b"NAME=FACETS_8\n", self.get("g.inp"))
+        # Binary files have the names as text, too.
+        self.mgdt("mesh", "-q", "g4.msh", "-o", "again.msh")
+        self.assertIn(b'2 7 "inlet"', self.get("again.msh"))
+        self.put("bad.msh", head.replace('"inlet"', "inlet"))
+        self.mgdt("mesh", "-q", "bad.msh", "-o", "b.vtu", code=3)
+
+    def test_check_of_constrained_meshes(self):
+        """A box with a notch is not convex."""
+        points = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (3, 0), (3, 2), (2, 1), (1, 2), (0, 2))]
+        sides = [tuple(range(6)), tuple(range(6, 12)), *((i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i) for i in range(6))]
+        self.put("notch.off", off(points, sides))
+        for name in ("n.vtu", "n.msh", "n.vtk"):
+            self.mgdt("mesh", "-q", "notch.off", "-o", name)
+            self.assertIn("does not cross itself", self.mgdt("check", name).decode())
+        self.mgdt("mesh", "-q", "notch.off", "-o", "n.ele")
+        self.mgdt("check", "-q", "n.ele", code=1)
+        said = self.mgdt("check", "n.ele", "--constrained").decode()
+        self.assertIn("Delaunay     ok   all of", said)
+        # A missing tetrahedron changes the boundary; one that comes twice, or is turned, is found.
+        rows = self.get("n.ele").decode().splitlines()
+        count = len(rows) - 1
+        for name, bad in (("twice", [*rows[1:], rows[1]]), ("turned", [
+                " ".join([*rows[1].split()[:3], rows[1].split()[4], rows[1].split()[3]]), *rows[2:]])):
+            self.put(f"{name}.node", self.get("n.node").decode())
+            self.put(f"{name}.ele", f"{len(bad)} 4 0\n" + "\n".join(bad) + "\n")
+            self.mgdt("check", "-q", f"{name}.ele", "--constrained", code=1)
+        self.assertGreater(count, 3)
 
     def test_facets_with_several_holes(self):
         """A slab with square holes, in each order: two of them are next to one corner."""

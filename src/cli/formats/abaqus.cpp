@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
@@ -239,7 +240,9 @@ class Reader {
         const auto found = std::find(sets_.begin(), sets_.end(), name);
         if (found == sets_.end()) {
             sets_.push_back(name);
-            return static_cast<std::int32_t>(sets_.size());
+            const auto number = static_cast<std::int32_t>(sets_.size());
+            mesh_.facets.names[number] = name;
+            return number;
         }
         return static_cast<std::int32_t>(found - sets_.begin()) + 1;
     }
@@ -270,12 +273,55 @@ void write_nodes(const std::vector<double>& points, OutputFile& out, const Write
     write_points(points, numbered_from_one, out);
 }
 
+// The label of a set: the name of its marker, if it has one, or the marker. Labels begin with a
+// letter.
+std::string label(const char* what, std::int32_t marker, const MarkerNames& names) {
+    const auto found = names.find(marker);
+    if (found != names.end()) {
+        const std::string& name = found->second;
+        const auto is_letter = [](char c) {
+            return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+        };
+        if (!name.empty() && name.size() <= 80 && is_letter(name[0]) &&
+            std::all_of(name.begin(), name.end(),
+                        [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }))
+            return name;
+    }
+    return fmt::format("{}_{}{}", what, marker < 0 ? "M" : "", std::abs(std::int64_t{marker}));
+}
+
+// Sets of elements, at most 16 in a line.
+void write_regions(const std::vector<std::int32_t>& regions, OutputFile& out) {
+    for (const MarkerGroup& group : groups_of(regions)) {
+        out.write(fmt::format("*ELSET, ELSET={}\n", label("REGION", group.marker, {})));
+        for (std::size_t i = 0; i < group.members.size(); ++i) {
+            out.write_integer(static_cast<std::int64_t>(group.members[i]) + 1);
+            out.write(i % 16 == 15 || i + 1 == group.members.size() ? "\n" : ", ");
+        }
+    }
+}
+
+// Surfaces of faces of elements. S1 has the corners 1, 2 and 3, S2 1, 4, 2, S3 2, 4, 3 and S4 3,
+// 4, 1.
+void write_surfaces(const MarkedFaces& faces, OutputFile& out) {
+    constexpr int opposite_corner[4] = {3, 4, 2, 1};
+    for (const MarkerGroup& group : groups_of(faces.markers)) {
+        out.write(fmt::format("*SURFACE, TYPE=ELEMENT, NAME={}\n",
+                              label("FACETS", group.marker, faces.names)));
+        for (const std::size_t f : group.members)
+            out.write(fmt::format("{}, S{}\n", faces.sides[f] / 4 + 1,
+                                  opposite_corner[faces.sides[f] % 4]));
+    }
+}
+
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions& options) {
     OutputFile& out = outputs.open(path);
     write_nodes(mesh.points, out, options);
     out.write("*ELEMENT, TYPE=C3D4, ELSET=ALL\n");
     write_rows_of_4(mesh.tetrahedra, 1, numbered_from_one, out);
+    if (has_marker(mesh.regions)) write_regions(mesh.regions, out);
+    write_surfaces(mesh.faces, out);
 }
 
 }  // namespace

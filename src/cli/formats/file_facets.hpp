@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cli/formats/marked_faces.hpp"
+
 namespace mgdt::cli {
 
 struct FileFacets {
@@ -18,6 +20,7 @@ struct FileFacets {
     // The corners of facet i are corners[begin[i]] to corners[begin[i + 1] - 1].
     std::vector<std::int64_t> begin = {0}, corners;
     std::vector<std::int32_t> markers;   // of each facet
+    MarkerNames names;                   // of markers; or none
     std::vector<std::int64_t> segments;  // 2 points for each
     std::vector<Place> holes, regions;
 

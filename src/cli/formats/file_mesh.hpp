@@ -12,6 +12,7 @@
 #include "cli/file_identity.hpp"
 #include "cli/formats/file_box.hpp"
 #include "cli/formats/file_facets.hpp"
+#include "cli/formats/marked_faces.hpp"
 
 namespace mgdt::cli {
 
@@ -41,6 +42,7 @@ struct Mesh {
     std::vector<Field> fields;          // values at the points
     FileFacets facets;                  // if they are asked for
     std::vector<std::int32_t> regions;  // the marker of each tetrahedron; or empty
+    MarkedFaces faces;                  // those that are parts of facets; or none
     std::optional<FileBox> box;         // if the file has one
     std::string detail;                 // version and encoding, for people
     std::vector<FileIdentity> inputs;   // the files that were read

@@ -2,7 +2,6 @@
 // Gmsh's .msh, versions 2.2 and 4.1, text and binary: the nodes and the tetrahedra and, if facets
 // are asked for, triangles, quadrangles and lines. Points keep
 // the order of the file; node tags may be any positive numbers.
-// Written as 4.1 binary, or as 2.2 text, which older programs read.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,9 +14,9 @@
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
+#include "cli/formats/gmsh_output.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/node_numbers.hpp"
-#include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -164,6 +163,24 @@ class Reader {
         const std::int64_t count = Fields(lines_).integer(what, 0, most);
         bytes_.seek(lines_.offset());
         return count;
+    }
+
+    // The names of physical groups of surfaces. They are text in binary files, too.
+    void read_names(MarkerNames& names) {
+        const std::int64_t count = line_count("the number of physical names");
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (!lines_.next()) lines_.fail("the file is cut short");
+            Fields fields(lines_);
+            const std::int64_t dimension =
+                                   fields.integer("the dimension of a physical group", 0, 3),
+                               group = fields.integer("physical group");
+            const std::string_view text = lines_.text();
+            const std::size_t begin = text.find('"'), end = text.rfind('"');
+            if (begin == end) lines_.fail("a name in quotes is to follow");
+            if (dimension == 2 && group == static_cast<std::int32_t>(group))
+                names[static_cast<std::int32_t>(group)] = text.substr(begin + 1, end - begin - 1);
+        }
+        bytes_.seek(lines_.offset());
     }
 
   private:
@@ -442,6 +459,9 @@ Mesh read_gmsh(const Source& source, const ReadOptions& options) {
         } else if (section == "Entities" && facets && reader.version() == 4 && groups.empty()) {
             groups = read_entities(reader);
             reader.leave(section);
+        } else if (section == "PhysicalNames" && facets && facets->names.empty()) {
+            reader.read_names(facets->names);
+            reader.leave(section);
         } else if (section == "Nodes" || section == "Elements") {
             reader.fail(fmt::format("${} comes twice or out of order", section));
         } else {
@@ -453,61 +473,13 @@ Mesh read_gmsh(const Source& source, const ReadOptions& options) {
     return mesh;
 }
 
-void write_mesh_4(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                  const WriteOptions&) {
-    OutputFile& out = outputs.open(path);
-    const std::uint64_t points = mesh.point_count();
-    const std::uint64_t cells = mesh.tetrahedron_count();
-    // The dimension of the single entity, which has the number 1.
-    constexpr std::int32_t volume = 3;
-    out.write("$MeshFormat\n4.1 1 8\n");
-    out.write_value<std::int32_t>(1);
-    out.write("\n$EndMeshFormat\n$Nodes\n");
-    const std::uint64_t node_head[4] = {points > 0 ? 1u : 0u, points, points > 0 ? 1u : 0u, points};
-    out.write_values(node_head, 4);
-    if (points > 0) {
-        const std::int32_t block[3] = {volume, 1, 0};
-        out.write_values(block, 3);
-        out.write_value(points);
-        for (std::uint64_t i = 1; i <= points; ++i) out.write_value(i);
-        out.write_values(mesh.points.data(), mesh.points.size());
-    }
-    out.write("\n$EndNodes\n$Elements\n");
-    const std::uint64_t cell_head[4] = {cells > 0 ? 1u : 0u, cells, cells > 0 ? 1u : 0u, cells};
-    out.write_values(cell_head, 4);
-    if (cells > 0) {
-        const std::int32_t block[3] = {volume, 1, static_cast<std::int32_t>(tetrahedron_type)};
-        out.write_values(block, 3);
-        out.write_value(cells);
-        for (std::uint64_t i = 0; i < cells; ++i) {
-            std::uint64_t row[5] = {i + 1};
-            for (std::size_t k = 0; k < 4; ++k) {
-                row[k + 1] = static_cast<std::uint64_t>(mesh.tetrahedra[4 * i + k]) + 1;
-            }
-            out.write_values(row, 5);
-        }
-    }
-    out.write("\n$EndElements\n");
-}
-
-void write_mesh_2(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                  const WriteOptions&) {
-    OutputFile& out = outputs.open(path);
-    out.write(
-        fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.point_count()));
-    write_points(mesh.points, {1, " "}, out);
-    out.write(fmt::format("$EndNodes\n$Elements\n{}\n", mesh.tetrahedron_count()));
-    write_rows_of_4(mesh.tetrahedra, 1, {1, " 4 2 1 1 "}, out);
-    out.write("$EndElements\n");
-}
-
 }  // namespace
 
 const Format& gmsh_format() {
     static const Format format = [] {
         Format f = {"gmsh",  {".msh"},    "Gmsh 4.1 binary (reads 2.2 and 4.1)",
                     true,    sniff,       read_gmsh,
-                    nullptr, write_mesh_4};
+                    nullptr, write_gmsh_4};
         f.has_facets = true;
         return f;
     }();
@@ -516,7 +488,7 @@ const Format& gmsh_format() {
 
 const Format& gmsh2_format() {
     static const Format format = [] {
-        Format f = {"gmsh2", {}, "Gmsh 2.2 text", false, nullptr, read_gmsh, nullptr, write_mesh_2};
+        Format f = {"gmsh2", {}, "Gmsh 2.2 text", false, nullptr, read_gmsh, nullptr, write_gmsh_2};
         f.has_facets = true;
         return f;
     }();

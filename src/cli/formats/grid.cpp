@@ -35,30 +35,44 @@ std::string counts_of_grid(std::uint64_t points, std::uint64_t cells) {
 void write_grid(const Grid& grid, OutputFile& out) {
     const std::uint64_t points = grid.points.size() / 3,
                         corners = grid.vertices ? grid.vertices->size() : points,
-                        cells = corners / grid.size;
+                        bodies = corners / grid.size,
+                        faces = grid.faces != nullptr ? grid.faces->size() : 0,
+                        cells = bodies + faces, all_corners = corners + 3 * faces;
     VtkFile file = {"UnstructuredGrid", counts_of_grid(points, cells), {}, grid.is_compressed};
     file.sections.push_back({"Points", {vtk_doubles("Points", 3, grid.points)}});
     file.sections.push_back(
         {"Cells",
-         {vtk_integers(points, "connectivity", corners,
+         {vtk_integers(points, "connectivity", all_corners,
                        [&](std::uint64_t i) {
+                           if (i >= corners)
+                               return std::int64_t{
+                                   grid.faces->corners[static_cast<std::size_t>(i - corners)]};
                            return grid.vertices ? (*grid.vertices)[i]
                                                 : static_cast<std::int64_t>(i);
                        }),
-          vtk_integers(
-              corners, "offsets", cells,
-              [&](std::uint64_t i) { return static_cast<std::int64_t>(grid.size * (i + 1)); }),
-          vtk_array<std::uint8_t>("UInt8", "Name=\"types\"", cells,
-                                  [&](std::uint64_t) { return grid.type; })}});
+          vtk_integers(all_corners, "offsets", cells,
+                       [&](std::uint64_t i) {
+                           return static_cast<std::int64_t>(
+                               i < bodies ? grid.size * (i + 1) : corners + 3 * (i - bodies + 1));
+                       }),
+          vtk_array<std::uint8_t>("UInt8", "Name=\"types\"", cells, [&](std::uint64_t i) {
+              return i < bodies ? grid.type : vtk_triangle;
+          })}});
     std::vector<VtkArray> of_points = arrays_of(grid.fields);
     if (grid.ids != nullptr) of_points.push_back(numbers(~std::uint64_t{0}, "point", *grid.ids));
     if (!of_points.empty()) file.sections.push_back({"PointData", of_points});
     if (grid.regions != nullptr)
         file.sections.push_back(
             {"CellData",
-             {vtk_array<std::int32_t>("Int32", "Name=\"region\"", cells, [&](std::uint64_t i) {
-                 return (*grid.regions)[static_cast<std::size_t>(i)];
-             })}});
+             {vtk_array<std::int32_t>("Int32", "Name=\"region\"", cells,
+                                      [&](std::uint64_t i) {
+                                          return i < bodies
+                                                     ? (*grid.regions)[static_cast<std::size_t>(i)]
+                                                     : 0;
+                                      }),
+              vtk_array<std::int32_t>("Int32", "Name=\"facet\"", cells, [&](std::uint64_t i) {
+                  return i < bodies ? 0 : grid.faces->markers[static_cast<std::size_t>(i - bodies)];
+              })}});
     write_vtk_file(file, out);
 }
 

@@ -21,8 +21,11 @@ struct Grid {
     const std::vector<Field>& fields;      // of the points
     const std::vector<std::int64_t>* ids;  // an id for each point, as an array "point"; or nullptr
     bool is_compressed = false;
-    // A number for each cell, as an array "region"; or nullptr.
+    // A number for each cell, as an array "region"; or nullptr. Then there may be triangles, too,
+    // as further cells. Their markers are an array "facet". Each array is 0 for cells of the other
+    // kind.
     const std::vector<std::int32_t>* regions = nullptr;
+    const MarkedFaces* faces = nullptr;
 };
 
 void write_grid(const Grid& grid, OutputFile& out);

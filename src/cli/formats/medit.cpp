@@ -93,8 +93,12 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions&) {
     OutputFile& out = outputs.open(path);
     write_vertices(mesh.points, out);
+    if (mesh.faces.size() > 0) {
+        out.write(fmt::format("\nTriangles\n{}\n", mesh.faces.size()));
+        write_marked_rows(mesh.faces.corners, 3, 1, mesh.faces.markers, {}, out);
+    }
     out.write(fmt::format("\nTetrahedra\n{}\n", mesh.tetrahedron_count()));
-    write_rows_of_4(mesh.tetrahedra, 1, with_reference, out);
+    write_marked_rows(mesh.tetrahedra, 4, 1, mesh.regions, {}, out);
     out.write("\nEnd\n");
 }
 

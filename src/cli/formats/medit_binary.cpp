@@ -159,12 +159,14 @@ class Writer {
             integer(0);
         }
     }
-    void write_tetrahedra(const std::vector<MeshIndex>& vertices) {
-        begin(tetrahedra_keyword, 4 + (vertices.size() / 4) * 20);
-        integer(static_cast<std::int64_t>(vertices.size() / 4));
+    // Writes cells with `size` vertices each, and a reference after each: its marker, or 0.
+    void write_cells(Keyword keyword, const std::vector<MeshIndex>& vertices, std::size_t size,
+                     const std::vector<std::int32_t>& markers) {
+        begin(keyword, 4 + vertices.size() / size * (size + 1) * 4);
+        integer(static_cast<std::int64_t>(vertices.size() / size));
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             integer(vertices[i] + 1);
-            if (i % 4 == 3) integer(0);
+            if (i % size == size - 1) integer(markers.empty() ? 0 : markers[i / size]);
         }
     }
     void end() {
@@ -199,9 +201,12 @@ void write_points(const std::vector<double>& points, OutputFile& out, const Writ
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions&) {
-    Writer writer(outputs.open(path), mesh.point_count() * 28 + mesh.tetrahedron_count() * 20);
+    Writer writer(outputs.open(path),
+                  mesh.point_count() * 28 + mesh.tetrahedron_count() * 20 + mesh.faces.size() * 16);
     writer.write_points(mesh.points);
-    writer.write_tetrahedra(mesh.tetrahedra);
+    if (mesh.faces.size() > 0)
+        writer.write_cells(triangles_keyword, mesh.faces.corners, 3, mesh.faces.markers);
+    writer.write_cells(tetrahedra_keyword, mesh.tetrahedra, 4, mesh.regions);
     writer.end();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TetGen's text files: NAME.node (points), NAME.ele (tetrahedra), NAME.neigh (neighbours).
+// TetGen's text files: NAME.node (points), NAME.ele (tetrahedra, with the markers of their regions
+// as an attribute), NAME.neigh (neighbours) and NAME.face (triangles with markers; only written).
 // Numbers begin with 0 or 1, as the first point's does. '#' begins a comment.
 #include <fmt/core.h>
 
@@ -154,17 +155,30 @@ void write_rows(const std::vector<MeshIndex>& values, const char* head, int base
 
 std::vector<std::string> mesh_files(const std::string& path) {
     if (path == "-") {
-        throw Error(exit_usage,
-                    "TetGen's format is three files (.node, .ele, .neigh); give -o a name");
+        throw Error(
+            exit_usage,
+            "TetGen's format is several files (.node, .ele, .neigh, .face); give -o a name");
     }
-    return {with_ending(path, ".node"), with_ending(path, ".ele"), with_ending(path, ".neigh")};
+    return {with_ending(path, ".node"), with_ending(path, ".ele"), with_ending(path, ".neigh"),
+            with_ending(path, ".face")};
 }
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions& options) {
     const std::vector<std::string> files = mesh_files(path);
     write_nodes(mesh.points, outputs.open(files[0]), options);
-    write_rows(mesh.tetrahedra, "4 0", options.index_base, outputs.open(files[1]));
+    const int base = options.index_base;
+    OutputFile& elements = outputs.open(files[1]);
+    if (!has_marker(mesh.regions)) {
+        write_rows(mesh.tetrahedra, "4 0", base, elements);
+    } else {
+        elements.write(fmt::format("{} 4 1\n", mesh.tetrahedron_count()));
+        write_marked_rows(mesh.tetrahedra, 4, base, mesh.regions, {base, " "}, elements);
+    }
+    if (mesh.faces.size() == 0) return;
+    OutputFile& faces = outputs.open(files[3]);
+    faces.write(fmt::format("{} 1\n", mesh.faces.size()));
+    write_marked_rows(mesh.faces.corners, 3, base, mesh.faces.markers, {base, " "}, faces);
 }
 
 void write_neighbors(const std::vector<MeshIndex>& neighbors, const std::string& path,

@@ -32,4 +32,15 @@ void write_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t base, co
                [&](std::size_t i) { out.write_integer(values[i] < 0 ? -1 : values[i] + base); });
 }
 
+void write_marked_rows(const std::vector<MeshIndex>& values, std::size_t width, std::int64_t base,
+                       const std::vector<std::int32_t>& markers, const RowStyle& style,
+                       OutputFile& out) {
+    write_rows(values.size(), width, style, out, [&](std::size_t i) {
+        out.write_integer(values[i] + base);
+        if (i % width != width - 1) return;
+        out.write(style.between);
+        out.write_integer(markers.empty() ? 0 : markers[i / width]);
+    });
+}
+
 }  // namespace mgdt::cli

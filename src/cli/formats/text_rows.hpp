@@ -26,4 +26,10 @@ void write_points(const std::vector<double>& points, const RowStyle& style, Outp
 void write_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t base, const RowStyle& style,
                      OutputFile& out);
 
+// Writes rows of indices, `width` of them per row, with `base` added, and a marker after each row,
+// or 0 if there are no markers.
+void write_marked_rows(const std::vector<MeshIndex>& values, std::size_t width, std::int64_t base,
+                       const std::vector<std::int32_t>& markers, const RowStyle& style,
+                       OutputFile& out);
+
 }  // namespace mgdt::cli

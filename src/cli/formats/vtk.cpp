@@ -316,11 +316,30 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     out.write(fmt::format("{}3.0\nmgdt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
                           magic, mesh.point_count()));
     write_points(mesh.points, {}, out);
-    const std::size_t n = mesh.tetrahedron_count();
-    out.write(fmt::format("CELLS {} {}\n", n, 5 * n));
+    const std::size_t n = mesh.tetrahedron_count(), faces = mesh.faces.size();
+    out.write(fmt::format("CELLS {} {}\n", n + faces, 5 * n + 4 * faces));
     write_rows_of_4(mesh.tetrahedra, 0, {{}, "4 "}, out);
-    out.write(fmt::format("CELL_TYPES {}\n", n));
+    for (std::size_t f = 0; f < faces; ++f) {
+        const MeshIndex* const v = &mesh.faces.corners[3 * f];
+        out.write(fmt::format("3 {} {} {}\n", v[0], v[1], v[2]));
+    }
+    out.write(fmt::format("CELL_TYPES {}\n", n + faces));
     for (std::size_t i = 0; i < n; ++i) out.write("10\n");
+    for (std::size_t f = 0; f < faces; ++f) out.write("5\n");
+    if (mesh.regions.empty()) return;
+    out.write(fmt::format("CELL_DATA {}\n", n + faces));
+    // Each array has a value for all cells: 0 for those of the other kind.
+    for (const bool of_facets : {false, true}) {
+        out.write(fmt::format("SCALARS {} int 1\nLOOKUP_TABLE default\n",
+                              of_facets ? "facet" : "region"));
+        for (std::size_t i = 0; i < n + faces; ++i) {
+            const bool is_face = i >= n;
+            out.write_integer(is_face != of_facets ? 0
+                              : is_face            ? mesh.faces.markers[i - n]
+                                                   : mesh.regions[i]);
+            out.write("\n");
+        }
+    }
 }
 
 }  // namespace

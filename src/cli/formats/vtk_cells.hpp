@@ -9,7 +9,7 @@
 
 namespace mgdt::cli {
 
-constexpr std::uint8_t vtk_vertex = 1, vtk_tetra = 10, vtk_quadratic_tetra = 24,
+constexpr std::uint8_t vtk_vertex = 1, vtk_triangle = 5, vtk_tetra = 10, vtk_quadratic_tetra = 24,
                        vtk_polyhedron = 42, vtk_lagrange_tetra = 71, vtk_bezier_tetra = 79;
 
 inline bool is_vtk_tetrahedron(std::int64_t type) {

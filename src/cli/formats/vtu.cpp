@@ -469,7 +469,8 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions& options) {
     write_grid({mesh.points, &mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress,
-                mesh.regions.empty() ? nullptr : &mesh.regions},
+                mesh.regions.empty() ? nullptr : &mesh.regions,
+                mesh.regions.empty() ? nullptr : &mesh.faces},
                outputs.open(path));
 }
 
