@@ -121,9 +121,17 @@ subroutine mgord(h, name, ierr)
     character(*), intent(in) :: name
     integer, intent(out) :: ierr
     integer(c_int32_t) :: scheme
+    character(len(name)) :: lower
+    integer :: i
 
-    ierr = c_order_scheme_from_name(trim(name)//c_null_char, scheme)
-    if (ierr == mgdt_ok) ierr = c_set_order_scheme(handle_of(h), scheme)
+    ! FORTRAN 77 programs are often written in capitals.
+    do i = 1, len(name)
+        lower(i:i) = name(i:i)
+        if (lge(name(i:i), 'A') .and. lle(name(i:i), 'Z')) lower(i:i) = achar(iachar(name(i:i)) + 32)
+    end do
+    ! An unknown name gives a number that the library refuses with a message.
+    if (c_order_scheme_from_name(trim(lower)//c_null_char, scheme) /= mgdt_ok) scheme = -1
+    ierr = c_set_order_scheme(handle_of(h), scheme)
 end subroutine
 
 ! The same by number.
