@@ -638,6 +638,20 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: value
             integer(c_int32_t) :: status
         end function
+        function c_periodic_set_merge_distance(p, distance) result(status) &
+            bind(c, name='mgdt_periodic_set_merge_distance')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            real(c_double), value :: distance
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_merge_distance(p, distance) result(status) &
+            bind(c, name='mgdt_periodic_get_merge_distance')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            real(c_double), intent(inout) :: distance
+            integer(c_int32_t) :: status
+        end function
         function c_periodic_set_progress(p, fn, user) result(status) &
             bind(c, name='mgdt_periodic_set_progress')
             import :: c_funptr, c_int32_t, c_ptr

@@ -52,6 +52,7 @@ module mgdt_periodic
         generic :: insert_points => insert_points_1, insert_points_2
         procedure, private :: move_all, move_some_i32, move_some_i64
         generic :: move_points => move_all, move_some_i32, move_some_i64
+        procedure :: set_merge_distance, merge_distance
         procedure :: get_option, number, array_size
         procedure, private :: get_i32_1, get_i32_2, get_i32_3, get_i64_1, get_i64_2, get_i64_3, get_real_1, get_real_2
         generic :: get => get_i32_1, get_i32_2, get_i32_3, get_i64_1, get_i64_2, get_i64_3, get_real_1, get_real_2
@@ -258,6 +259,30 @@ contains
         value = 0
         status = c_periodic_get_stat(self%handle, to_c(key), value)
         call finish(self, 'number', status, stat, errmsg)
+    end function
+
+    ! The distance within which points become equal in later builds; 0 for none.
+    subroutine set_merge_distance(self, distance, stat, errmsg)
+        class(mgdt_periodic_box), intent(inout) :: self
+        real(real64), intent(in) :: distance
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call finish(self, 'set_merge_distance', &
+                    c_periodic_set_merge_distance(self%handle, distance), stat, errmsg)
+    end subroutine
+
+    ! That distance.
+    function merge_distance(self, stat, errmsg) result(distance)
+        class(mgdt_periodic_box), intent(in) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(real64) :: distance
+        integer(c_int32_t) :: status
+
+        distance = 0
+        status = c_periodic_get_merge_distance(self%handle, distance)
+        call finish(self, 'merge_distance', status, stat, errmsg)
     end function
 
     ! Points, xyz(3 n) or xyz(3, n), anywhere.

@@ -79,6 +79,28 @@ subroutine mgbgop(h, key, ival, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_periodic), ival, ierr)
 end subroutine
 
+! The distance within which points become equal in later builds; 0 for none.
+subroutine mgbmrg(h, distance, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: distance
+    integer, intent(out) :: ierr
+
+    ierr = c_periodic_set_merge_distance(handle_of(h, of_periodic), distance)
+end subroutine
+
+! That distance.
+subroutine mgbgmr(h, distance, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout) :: distance
+    integer, intent(out) :: ierr
+
+    ierr = c_periodic_get_merge_distance(handle_of(h, of_periodic), distance)
+end subroutine
+
 ! Subroutine SUB(FRAC, ICANC) hears of progress and may cancel.
 subroutine mgbprg(h, sub, ierr)
     use mgdt_f77_support

@@ -54,7 +54,7 @@ static mxArray* measures_of_box(int32_t measure, int64_t n) {
 
 /* The arguments: points, vectors, threads, the memory limit, a progress function or [], whether to
  * check, whether to measure cells, whether to make their diagram, and the least area and share of
- * faces. All are read before a box is made. */
+ * faces; the distance within which points become equal. All are read before a box is made. */
 static mxArray* periodic_box(int count, const mxArray* const* given) {
     static const struct {
         const char* name;
@@ -85,10 +85,10 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     const double *xyz, *vectors;
     int32_t threads;
     int is_checked, is_measured, has_cells, k, fields = n_arrays;
-    double area, share;
+    double area, share, distance;
     mgdt_status status;
     mxArray* result;
-    if (count < 10) bad_argument("a box needs more arguments");
+    if (count < 11) bad_argument("a box needs more arguments");
     if (box_is_busy)
         mexErrMsgIdAndTxt("mgdt:busy", "a progress function of a box may not use another box");
     xyz = columns(given[0], 3, "points", &n);
@@ -102,6 +102,7 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     has_cells = number(given[7], "cells") != 0;
     area = number(given[8], "least_area");
     share = number(given[9], "least_share");
+    distance = number(given[10], "merge_distance");
     close_box();
     if (n_vectors > 3) bad_argument("the box has more than three vectors");
     status = mgdt.periodic_create((int32_t)n_vectors, vectors, &box);
@@ -111,6 +112,7 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_INDEX_BASE, 1));
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_THREADS, threads));
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_MEMORY_LIMIT, limit));
+    ensure_box(mgdt.periodic_set_merge_distance(box, distance));
     ensure_box(mgdt.periodic_insert_points(box, n, xyz));
     if (!mxIsEmpty(given[4])) {
         p.function = mxDuplicateArray(given[4]);

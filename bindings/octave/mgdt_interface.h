@@ -133,6 +133,8 @@
     F(periodic_clear);                 \
     F(periodic_set_option);            \
     F(periodic_get_option);            \
+    F(periodic_set_merge_distance);    \
+    F(periodic_get_merge_distance);    \
     F(periodic_set_progress);          \
     F(periodic_cancel);                \
     F(periodic_insert_points);         \

@@ -16,6 +16,7 @@
 %                 face_images say which image of the second point a face is between
 % "least_area"    of the diagram: faces with less are left out
 % "least_share"   likewise those with less than this share of the area of each of their cells
+% "merge_distance"  points that have images within this distance of each other become equal
 % "threads"       0 for all cores
 % "memory_limit"  bytes, 0 for none
 % "progress"      a function that hears of the fraction done; true cancels
@@ -32,7 +33,7 @@ function box = mgdt_periodic_box (points, vectors, varargin)
     print_usage ();
   end
   given = struct ("threads", 1, "memory_limit", 0, "progress", [], "check", false, "measures", false, ...
-                  "cells", false, "least_area", 0, "least_share", 0);
+                  "cells", false, "least_area", 0, "least_share", 0, "merge_distance", 0);
   if (mod (numel (varargin), 2) != 0)
     error ("mgdt:invalid_argument", "mgdt: a setting has no value");
   end
@@ -47,5 +48,5 @@ function box = mgdt_periodic_box (points, vectors, varargin)
   end
   box = mgdt_mex ("periodic_box", double (points), full (double (vectors)), given.threads, ...
                   given.memory_limit, given.progress, given.check, given.measures, given.cells, ...
-                  given.least_area, given.least_share);
+                  given.least_area, given.least_share, given.merge_distance);
 end

@@ -153,6 +153,22 @@ extern "C" mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t 
     });
 }
 
+extern "C" mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double distance) {
+    return guard(p, [&] {
+        if (!(distance >= 0) || !std::isfinite(distance))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the distance is %g; it must be finite and at least 0",
+                 distance);
+        p->box.settings().merge_distance = distance;
+    });
+}
+
+extern "C" mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, double* distance) {
+    return guard_short(p, [&] {
+        require_pointer(distance, "distance");
+        *distance = p->box.settings().merge_distance;
+    });
+}
+
 extern "C" mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_fn fn,
                                                   void* user) {
     return guard(p, [&] {

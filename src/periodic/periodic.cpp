@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "periodic/image_prediction.hpp"
+#include "periodic/merging.hpp"
 
 namespace mgdt {
 
@@ -109,6 +110,9 @@ void Periodic::wrap(Buffer<double>& wrapped) {
         if (!grid_->wrap(given_.begin() + 3 * i, wrapped.begin() + 3 * i, taken_[i]))
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
                  number(i), ImageGrid::farthest);
+    if (settings_.merge_distance > 0)
+        merge_points(*grid_, lattice_.from_callers(settings_.merge_distance), wrapped, taken_,
+                     allocator_);
     has_one_shift_ = std::all_of(taken_.begin(), taken_.end(),
                                  [&](const Multiples& taken) { return taken == taken_[0]; });
 }

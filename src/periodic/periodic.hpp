@@ -14,6 +14,7 @@ namespace mgdt {
 
 struct PeriodicSettings {
     std::int32_t index_base = 0, threads = 1;
+    double merge_distance = 0;  // in units of the caller
     mgdt_progress_fn progress = nullptr;
     void* progress_user = nullptr;
 };

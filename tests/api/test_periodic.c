@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Points in periodic boxes, through the C interface. */
 #define _POSIX_C_SOURCE 200112L
+#include <math.h>
 #include <mgdt/mgdt_periodic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -359,6 +360,7 @@ static void bad_arguments(void) {
     mgdt_periodic* p = (mgdt_periodic*)(void*)bad;
     mgdt_voronoi* v = (mgdt_voronoi*)(void*)bad;
     int64_t value = 0;
+    double distance = 0;
     int32_t small;
     char text[8];
     CHECK_EQUAL(mgdt_periodic_create(3, cube, NULL), MGDT_ERR_NULL_POINTER);
@@ -392,6 +394,16 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, -1),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_periodic_set_option(p, 11, 0), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, -1), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "the distance is -1"));
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, NAN), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, INFINITY), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(NULL, 0), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, 0.5), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_merge_distance(p, &distance), MGDT_OK);
+    CHECK(distance == 0.5);
+    CHECK_EQUAL(mgdt_periodic_get_merge_distance(p, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, 0), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_get_option(p, 11, &value), MGDT_ERR_UNKNOWN_KEY);
     CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, &value), MGDT_OK);

@@ -164,6 +164,8 @@ bool calls_periodic() {
     mgdt::Periodic box(vectors);
     box.set_option(mgdt::PeriodicOption::threads, 2);
     if (box.option(mgdt::PeriodicOption::threads) != 2) return false;
+    box.set_merge_distance(1e-9);
+    if (box.merge_distance() != 1e-9) return false;
     box.set_progress([&](double) { ++heard; });
     box.insert(atoms);
     box.build();

@@ -641,6 +641,9 @@ test("a periodic box", function()
     local cube = mgdt.periodic_box { points = { { 0, 0, 0 }, { 1, 1, 1 } }, box = { 2, 2, 2 }, index_base = 1, threads = 2 }
     equal(cube.tetrahedron_count, 12, "tetrahedra")
     equal(cube.point_map[1], 2, "from 1")
+    local near = mgdt.periodic_box { points = { { 0, 0, 0 }, { 2, 2, 1.999 }, { 1, 1, 1 } }, box = { 2, 2, 2 }, merge_distance = 0.01 }
+    equal(near.vertex_count, 2, "points that become equal")
+    equal(near.point_map[1], 0, "the one that stays")
     local slab = mgdt.periodic_box { points = xyz, box = { { 4, 0, 0 }, { 1.5, 3, 0 } } }
     equal(slab.vector_count, 2, "a slab")
 

@@ -202,6 +202,8 @@ function periodic_box (folder)
   fewer = mgdt_periodic_box (points, vectors, "cells", true, "least_area", 0.5);
   assert (rows (fewer.cells.face_areas) < rows (box.cells.face_areas));
 
+  near = mgdt_periodic_box ([0 0 0; 2 2 1.999; 1 1 1], [2 2 2], "merge_distance", 0.01);
+  assert (double (near.point_map(:)'), [1 1 3]);
   refused ("mgdt:invalid_argument", {"do not span"}, @() mgdt_periodic_box (points, [1 1 0; 2 2 0]));
   refused ("mgdt:invalid_argument", {"more than three"}, @() mgdt_periodic_box (points, [vectors; 1 1 1]));
   refused ("mgdt:invalid_argument", {"point 1", "boxes away"}, @() mgdt_periodic_box ([1e30 0 0], [1 1 1]));

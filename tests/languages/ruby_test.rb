@@ -192,8 +192,14 @@ class MgdtTest < Minitest::Test
     assert_includes slab.neighbors.flatten, nil
   end
 
+  def test_points_of_a_box_that_become_equal
+    box = Mgdt::PeriodicBox.new([[0, 0, 0], [2, 2, 1.999], [1, 1, 1]], [2, 2, 2], merge_distance: 0.01)
+    assert_equal [0, 0, 2], box.point_map
+  end
+
   def test_what_periodic_boxes_refuse
     points = self.class.bytes("periodic_given_points")
+    refused(Mgdt::InvalidArgument, "merge_distance") { Mgdt::PeriodicBox.new(points, BOX, merge_distance: "1") }
     refused(Mgdt::InvalidArgument, "do not span") { Mgdt::PeriodicBox.new(points, [1, 1, 0]) }
     refused(Mgdt::InvalidArgument, "box has 4 vectors") { Mgdt::PeriodicBox.new(points, BOX + BOX.first(1)) }
     refused(Mgdt::InvalidArgument, "point 0") { Mgdt::PeriodicBox.new([[1e30, 0, 0]], [1, 1, 1]) }

@@ -73,13 +73,13 @@ class Copies(unittest.TestCase):
     def test_a_stopped_move_leaves_nothing(self) -> None:
         box = mgdt.PeriodicDelaunay(POINTS, [1] * 3)
         self.assertEqual(len(box.simplices), len(box.neighbors))
-        box._progress = lambda fraction: mgdt.CANCEL
+        box.progress = lambda fraction: mgdt.CANCEL
         self.assertRaises(mgdt.Cancelled, box.move, MOVED)
         for name in ("points", "simplices", "volumes", "point_map"):
             self.assertRaises(mgdt.NotBuiltError, getattr, box, name)
         self.assertRaises(mgdt.NotBuiltError, box.check)
         self.assertRaises(mgdt.NotBuiltError, mgdt.PeriodicVoronoi, box)
-        box._progress = None
+        box.progress = None
         box.move(MOVED)
         np.testing.assert_allclose(box.points, MOVED, atol=1e-13)
         box.check()

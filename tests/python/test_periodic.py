@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Points in periodic boxes."""
 
+import copy
 import doctest
 import threading
 import unittest
@@ -243,6 +244,22 @@ class PeriodicVoronoi(unittest.TestCase):
         self.assertEqual(np.isinf(cells.volumes).sum(), 2)
         self.assertGreater(len(cells.ray_vertices), 0)
         self.assertEqual(sum(-1 in region for region in cells.regions), 2)
+
+
+class Merging(unittest.TestCase):
+    def test_images_on_both_sides(self):
+        vectors = 14.44 * np.array([[1, 0, 0], [0.3, 1, 0], [0.2, -0.4, 1]])
+        s = np.stack(np.meshgrid(*[np.linspace(0, 1, 5)] * 3, indexing="ij"), -1).reshape(-1, 3)
+        box = mgdt.PeriodicDelaunay(s @ vectors, vectors, merge_distance=1e-9)
+        stay = np.unique(box.point_map)
+        self.assertEqual(len(stay), 64)
+        np.testing.assert_allclose(box.volumes[stay], 14.44**3 / 64, rtol=1e-9)
+        images = box.points[box.point_map] + box.point_offsets @ box.vectors
+        np.testing.assert_allclose(images, box.points, atol=1e-9)
+        twin = copy.copy(box)
+        self.assertEqual(len(np.unique(twin.point_map)), 64)
+        with self.assertRaises(mgdt.ArgumentError):
+            mgdt.PeriodicDelaunay(s, [1, 1, 1], merge_distance=-1)
 
 
 if __name__ == "__main__":

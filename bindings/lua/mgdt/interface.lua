@@ -185,6 +185,8 @@ void mgdt_periodic_destroy(mgdt_periodic *p);
 int32_t mgdt_periodic_clear(mgdt_periodic *p);
 int32_t mgdt_periodic_set_option(mgdt_periodic *p, int32_t option, int64_t value);
 int32_t mgdt_periodic_get_option(const mgdt_periodic *p, int32_t option, int64_t *value);
+int32_t mgdt_periodic_set_merge_distance(mgdt_periodic *p, double distance);
+int32_t mgdt_periodic_get_merge_distance(const mgdt_periodic *p, double *distance);
 int32_t mgdt_periodic_set_progress(mgdt_periodic *p, mgdt_progress_fn fn, void *user);
 int32_t mgdt_periodic_cancel(mgdt_periodic *p);
 int32_t mgdt_periodic_insert_points(mgdt_periodic *p, int64_t n, const double *xyz);

@@ -123,13 +123,14 @@ function Box:__tostring()
 end
 
 local known = { points = true, box = true, threads = true, memory_limit = true, index_base = true,
-    progress = true }
+    merge_distance = true, progress = true }
 
 local periodic = {}
 
 --- The triangulation of points in a periodic box, from a table with points (as for insert()) and box:
---- three lengths, or one to three vectors {x, y, z}. Optional: threads, memory_limit, index_base (0), and
---- progress, a function as for set_progress().
+--- three lengths, or one to three vectors {x, y, z}. Optional: threads, memory_limit, index_base (0),
+--- merge_distance (points that have images within this distance of each other become equal; 0), and progress, a
+--- function as for set_progress().
 ---
 --- The result has the arrays points, vectors, tetrahedra, offsets, neighbors, neighbor_offsets, point_offsets and
 --- vertex_neighbor_offsets, with [k][0] and so on (offsets of tetrahedra have twelve numbers each), and
@@ -152,6 +153,7 @@ function periodic.periodic_box(given)
     ensure(handle, C.mgdt_periodic_set_option(handle, options.threads, whole(given.threads or 1, "threads")))
     ensure(handle, C.mgdt_periodic_set_option(handle, options.memory_limit,
         whole(given.memory_limit or 0, "memory_limit")))
+    ensure(handle, C.mgdt_periodic_set_merge_distance(handle, real(given.merge_distance or 0, "merge_distance")))
     ensure(handle, C.mgdt_periodic_insert_points(handle, count, xyz))
     build(handle, given.progress)
     local box = setmetatable({ handle = handle, progress = given.progress }, Box)

@@ -168,6 +168,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_periodic_clear": (c_int32, [c_void_p]),
     "mgdt_periodic_set_option": (c_int32, [c_void_p, c_int32, c_int64]),
     "mgdt_periodic_get_option": (c_int32, [c_void_p, c_int32, c_void_p]),
+    "mgdt_periodic_set_merge_distance": (c_int32, [c_void_p, c_double]),
+    "mgdt_periodic_get_merge_distance": (c_int32, [c_void_p, c_void_p]),
     "mgdt_periodic_set_progress": (c_int32, [c_void_p, PROGRESS, c_void_p]),
     "mgdt_periodic_cancel": (c_int32, [c_void_p]),
     "mgdt_periodic_insert_points": (c_int32, [c_void_p, c_int64, c_void_p]),

@@ -139,6 +139,10 @@ class PeriodicDelaunay:
         0 for all cores.
     memory_limit : int
         Bytes; 0 for none.
+    merge_distance : float
+        Points that have images within this distance of an earlier point become equal to it, in the order
+        of the points. 0 for none. For points on the faces of an oblique box, such as those at the
+        fractional coordinates 0 and 1, whose images differ by rounding.
     progress : callable, optional
         Called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels.
 
@@ -176,18 +180,23 @@ class PeriodicDelaunay:
         *,
         threads: int = 1,
         memory_limit: int = 0,
+        merge_distance: float = 0.0,
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
         rows = np.array(as_points(points), np.float64, order="C")
         self.progress = progress
-        self._make(rows, _vectors(box, periodic), {"threads": threads, "memory_limit": memory_limit})
+        self._make(rows, _vectors(box, periodic), {"threads": threads, "memory_limit": memory_limit}, float(merge_distance))
 
-    def _make(self, rows: FloatArray, vectors: FloatArray, settings: dict[str, int]) -> None:
+    def _make(
+        self, rows: FloatArray, vectors: FloatArray, settings: dict[str, int], merge_distance: float
+    ) -> None:
         self._given, self._given_vectors, self._settings = rows, vectors, settings
+        self._merge_distance = merge_distance
         self._gate = Gate()
         handle = self._box = _Box(vectors)
         for name, value in settings.items():
             handle.call("set_option", CONSTANTS["periodic_option"][name], value)
+        handle.call("set_merge_distance", merge_distance)
         self._build(rows, lambda: handle.call("insert_points", len(rows), address(rows)))
 
     def _build(self, rows: FloatArray, place: Callable[[], None]) -> None:
@@ -222,11 +231,21 @@ class PeriodicDelaunay:
     # Copies are built again from what was given, and share nothing with the original.
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"points": self._given, "vectors": self._given_vectors, "settings": self._settings}
+        return {
+            "points": self._given,
+            "vectors": self._given_vectors,
+            "settings": self._settings,
+            "merge_distance": self._merge_distance,
+        }
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.progress = None
-        self._make(state["points"].copy(), state["vectors"].copy(), dict(state["settings"]))
+        self._make(
+            state["points"].copy(),
+            state["vectors"].copy(),
+            dict(state["settings"]),
+            state["merge_distance"],
+        )
 
     @property
     def points(self) -> FloatArray:

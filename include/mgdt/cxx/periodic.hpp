@@ -80,6 +80,16 @@ class Periodic {
         require(mgdt_periodic_get_option(handle_.get(), static_cast<std::int32_t>(option), &value));
         return value;
     }
+    /** mgdt_periodic_set_merge_distance(). @throw Error */
+    void set_merge_distance(double distance) {
+        require(mgdt_periodic_set_merge_distance(handle_.get(), distance));
+    }
+    /** mgdt_periodic_get_merge_distance(). @throw Error */
+    [[nodiscard]] double merge_distance() const {
+        double distance = 0;
+        require(mgdt_periodic_get_merge_distance(handle_.get(), &distance));
+        return distance;
+    }
     /** Sets the progress callback, as Triangulation::set_progress(). @throw Error,
      *  std::bad_alloc */
     template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>

@@ -133,6 +133,8 @@ module Mgdt
     [:mgdt_periodic_clear, %i[pointer], :int32, false],
     [:mgdt_periodic_set_option, %i[pointer int32 int64], :int32, false],
     [:mgdt_periodic_get_option, %i[pointer int32 pointer], :int32, false],
+    [:mgdt_periodic_set_merge_distance, %i[pointer double], :int32, false],
+    [:mgdt_periodic_get_merge_distance, %i[pointer pointer], :int32, false],
     [:mgdt_periodic_set_progress, %i[pointer progress pointer], :int32, false],
     [:mgdt_periodic_cancel, %i[pointer], :int32, false],
     [:mgdt_periodic_insert_points, %i[pointer int64 pointer], :int32, true],

@@ -31,8 +31,9 @@ module Mgdt
     private_constant :Handle
 
     # Points as for Triangulation#insert; box: three lengths, or one to three vectors [x, y, z]. A block
-    # hears of progress as that of Triangulation#insert does.
-    def initialize(points, box, threads: 1, memory_limit: 0, index_base: 0, &progress)
+    # hears of progress as that of Triangulation#insert does. Points that have images within merge_distance
+    # of each other become equal.
+    def initialize(points, box, threads: 1, memory_limit: 0, index_base: 0, merge_distance: 0, &progress)
       given = Points.new(points)
       make(box)
       @index_base = index_base
@@ -42,6 +43,10 @@ module Mgdt
 
         @reader.call(:set_option, CONSTANTS[:periodic_option].fetch(name), value)
       end
+      raise argument("merge_distance is #{merge_distance.inspect}; it must be a number") unless
+        merge_distance.is_a?(Integer) || merge_distance.is_a?(Float)
+
+      @reader.call(:set_merge_distance, merge_distance.to_f)
       @reader.call(:insert_points, given.count, given.data)
       build(progress)
     end

@@ -703,6 +703,11 @@ extern "C" {
         option: i32,
         value: *mut i64,
     ) -> mgdt_status;
+    pub fn mgdt_periodic_set_merge_distance(p: *mut mgdt_periodic, distance: f64) -> mgdt_status;
+    pub fn mgdt_periodic_get_merge_distance(
+        p: *const mgdt_periodic,
+        distance: *mut f64,
+    ) -> mgdt_status;
     pub fn mgdt_periodic_set_progress(
         p: *mut mgdt_periodic,
         callback: mgdt_progress_fn,

@@ -143,6 +143,12 @@ impl Periodic {
         self.set_option(sys::MGDT_PERIODIC_THREADS, as_i64(threads))
     }
 
+    /// Sets the distance within which points become equal in later builds; 0 for none.
+    pub fn set_merge_distance(&mut self, distance: f64) -> Result<(), Error> {
+        let status = unsafe { sys::mgdt_periodic_set_merge_distance(self.raw(), distance) };
+        self.ensure(status)
+    }
+
     /// Limits the memory that the box may hold, in bytes; None for no limit.
     pub fn set_memory_limit(&mut self, bytes: Option<usize>) -> Result<(), Error> {
         // No limit is 0 there; a limit of 0 would be none at all.

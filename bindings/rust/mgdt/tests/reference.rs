@@ -603,6 +603,10 @@ fn a_periodic_box() {
     p.set_memory_limit(Some(1)).unwrap();
     assert_eq!(refused(p.build()), ErrorKind::OutOfMemory);
     p.set_memory_limit(None).unwrap();
+    assert_eq!(refused(p.set_merge_distance(-1.0)), ErrorKind::InvalidArgument);
+    p.set_merge_distance(1e9).unwrap();
+    assert_eq!(refused(p.build()), ErrorKind::InvalidArgument);
+    p.set_merge_distance(0.0).unwrap();
     p.insert(&[[1e30, 0.0, 0.0]]).unwrap();
     assert_eq!(refused(p.build()), ErrorKind::InvalidArgument);
     p.clear();
