@@ -764,8 +764,8 @@ MGDT_API mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, 
  *  @param[out] x    for each point a number, or x y z of a centroid
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_FINITE (a plane),
  *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT (a negative number;
- *  points that are all in one plane, unless there are none; a point outside; planes that do not
- *  bound a region; the message says which)
+ *  points that are all in one plane, unless there are none or, since 1.3, planes; a point outside;
+ *  planes that do not bound a region; the message says which)
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
                                             int64_t n_planes, const double* planes,

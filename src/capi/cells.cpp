@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/cell_view.hpp"
 #include "capi/measure.hpp"
-#include "capi/planes.hpp"
 #include "dual/measures.hpp"
 
 using namespace mgdt;
@@ -13,16 +11,15 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
     return guard(t, [&] {
         const Measure m = measure_of(measure);
         const std::size_t n = require_planes(n_planes, planes);
-        require_space(t, "cells");
+        if (n == 0) require_space(t, "cells");
         const auto points = static_cast<std::size_t>(point_count(t->core));
         const std::size_t count = width_of(m) * points;
         if (count > 0) require_pointer(x, "the output array");
         require_capacity(capacity, count, "the output array");
         if (t->core.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();
-        constexpr std::size_t vertices_per_thread = 4096;
-        Team team(t->core.threads_for(points, vertices_per_thread));
-        const ExportView view = view_of(team, t, false);
-        const Region region(view.allocator, n, planes, view.mesh, view.base);
-        export_measures(view, region, m, points, x);
+        with_cell_view(t, t->core.allocator(), n, planes,
+                       [&](const ExportView& view, const Region& region, std::size_t) {
+                           export_measures(view, region, m, points, x);
+                       });
     });
 }

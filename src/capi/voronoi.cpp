@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Creation of a Voronoi diagram, and its arrays.
-#include "capi/counts.hpp"
-#include "capi/handle.hpp"
-#include "capi/planes.hpp"
+#include "capi/cell_view.hpp"
 #include "capi/voronoi_handle.hpp"
 
 using namespace mgdt;
@@ -19,18 +17,14 @@ MGDT_NOT_INLINE void destroy(mgdt_voronoi* v) noexcept {
 void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
            VoronoiDiagram& diagram) {
     const std::size_t n = require_planes(n_planes, planes);
-    require_space(t, "cells");
-    const std::int32_t index_base = t->core.settings().index_base;
     const auto points = static_cast<std::size_t>(point_count(t->core));
-    constexpr std::size_t vertices_per_thread = 4096;
-    Team team(t->core.threads_for(points, vertices_per_thread));
-    const ExportView view = {team,       t->core.mesh(),
-                             nullptr,    diagram.areas.allocator(),
-                             index_base, t->core.settings().canonical_output};
     if (t->core.vertex_count() > 0) {
-        const Region region(view.allocator, n, planes, view.mesh, view.base);
-        const Progress::Call call = t->core.call_to_cancel();
-        build_voronoi(view, region, points, t->core.stop_request(), diagram);
+        with_cell_view(t, diagram.areas.allocator(), n, planes,
+                       [&](const ExportView& view, const Region& region, std::size_t far) {
+                           const Progress::Call call = t->core.call_to_cancel();
+                           build_voronoi(view, region, points, far, t->core.stop_request(),
+                                         diagram);
+                       });
     } else {
         make_empty(points, diagram);
     }

@@ -174,7 +174,7 @@ Voronoi diagram_of_points(const VoronoiOptions& options, const Mesh& mesh, const
                           const std::string& name) {
     Triangulation t = make_triangulation(options.triangulation);
     insert(t, mesh.points, name, options.triangulation.quiet);
-    if (t.dimension() < 3 && mesh.point_count() > 0)
+    if (t.dimension() < 3 && mesh.point_count() > 0 && planes.empty())
         throw Error(exit_input, fmt::format("{}: {}, so there are no cells", name, shape(t)));
     return make_voronoi(t, planes, name);
 }

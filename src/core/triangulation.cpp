@@ -40,6 +40,11 @@ void Triangulation::forget_absent_points() noexcept {
     map.resize_within_capacity(next);
 }
 
+void Triangulation::set_indices(const Buffer<std::uint32_t>& indices) noexcept {
+    Buffer<Vertex>& vertices = state_.mesh.vertices;
+    for (VertexId v = 1; v < vertices.size(); ++v) vertices[v].index = indices[vertices[v].index];
+}
+
 void Triangulation::reserve(std::size_t points) {
     if (points > max_points)
         fail(MGDT_ERR_TOO_LARGE, "%zu points; at most %zu can be numbered", points, max_points);

@@ -30,6 +30,9 @@ class Triangulation {
     void move(const Buffer<std::uint32_t>& points, const double* xyz);
     // Renumbers the points that have a vertex from 0 on, in their order, and forgets the others.
     void forget_absent_points() noexcept;
+    // Gives vertices other indices: those of points that were inserted once, in their order. For a
+    // copy whose points are asked for by these indices only.
+    void set_indices(const Buffer<std::uint32_t>& indices) noexcept;
     void clear() noexcept { state_.clear(); }
     void reserve(std::size_t points);
     // Frees the memory that is kept only for speed.

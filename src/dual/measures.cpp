@@ -16,8 +16,8 @@ constexpr std::size_t min_vertices_per_thread = 4096;
 
 // Writes the volumes that the passes over the tetrahedra give. Measures a cell on its own if the
 // region may cut the cell, or if the passes leave its volume undecided.
-void export_volumes(const ExportView& view, const Region& region, AtomicArray<TetId>& first,
-                    double* x) {
+void export_volumes(const ExportView& view, const Region& region, std::size_t points,
+                    AtomicArray<TetId>& first, double* x) {
     const Mesh& mesh = view.mesh;
     VolumePass pass(view);
     view.team.split(
@@ -26,6 +26,7 @@ void export_volumes(const ExportView& view, const Region& region, AtomicArray<Te
             CellMeasurer measurer(view.allocator);
             for (std::size_t i = begin; i < end; ++i) {
                 const auto v = static_cast<VertexId>(i + 1);
+                if (mesh.vertices[v].index >= points) continue;
                 double& out = x[mesh.vertices[v].index];
                 double volume;
                 const bool may_be_cut =
@@ -51,12 +52,13 @@ void export_measures(const ExportView& view, const Region& region, Measure measu
     std::fill_n(x, width * points, 0.0);
     AtomicArray<TetId> first(view.allocator, mesh.vertices.size());
     find_tetrahedra(view, first);
-    if (measure == Measure::volume) return export_volumes(view, region, first, x);
+    if (measure == Measure::volume) return export_volumes(view, region, points, first, x);
     view.team.split(mesh.vertices.size() - 1, min_vertices_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         CellMeasurer measurer(view.allocator);
                         for (std::size_t i = begin; i < end; ++i) {
                             const auto v = static_cast<VertexId>(i + 1);
+                            if (mesh.vertices[v].index >= points) continue;
                             measurer.measure(mesh, v, first[v].load(std::memory_order_relaxed),
                                              region, measure, x + width * mesh.vertices[v].index);
                         }

@@ -30,12 +30,12 @@ double Region::Plane::error(const double* p) const {
 }
 
 Region::Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
-               std::int32_t base)
+               std::int32_t base, std::size_t points)
     : planes_(allocator), corners_(allocator), base_(base) {
     if (n == 0) return;
     planes_.reserve(n);
     for (std::size_t k = 0; k < n; ++k) add_plane(k, planes + 4 * k, mesh);
-    require_inside(mesh);
+    require_inside(mesh, points);
     set_faces(mesh);
 }
 
@@ -70,13 +70,14 @@ bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemor
 }
 
 // Throws an Error that names the vertex with the least index that is outside, if any is.
-void Region::require_inside(const Mesh& mesh) const {
+void Region::require_inside(const Mesh& mesh, std::size_t points) const {
     LongMemory memory(planes_.allocator());
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t point = none;
     std::size_t plane = 0;
     for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
         const double* const p = mesh.point(v);
+        if (mesh.vertices[v].index >= points) continue;
         for (std::size_t k = 0; k < planes_.size(); ++k)
             if (mesh.vertices[v].index < point && is_beyond(planes_[k], p, mesh.scale, memory)) {
                 point = mesh.vertices[v].index;

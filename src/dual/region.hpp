@@ -17,9 +17,10 @@ class Region {
     // Each plane is four numbers a b c d, for a x + b y + c z <= d. The region refers to these
     // numbers, which must not move. Without planes the region is all of space. Throws an Error if a
     // number is not finite, a plane has no normal, a vertex is outside by more than rounding, or
-    // the planes do not bound a region. Messages number planes and points from `base` on.
+    // the planes do not bound a region. Messages number planes and points from `base` on. Vertices
+    // whose indices are not below `points` may be anywhere.
     Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
-           std::int32_t base);
+           std::int32_t base, std::size_t points = static_cast<std::size_t>(-1));
 
     bool is_bounded() const noexcept { return !planes_.empty(); }
     // The number of planes that have a face of the region. Redundant planes are left out. Of
@@ -63,7 +64,7 @@ class Region {
     };
     void add_plane(std::size_t k, const double* of, const Mesh& mesh);
     bool is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const;
-    void require_inside(const Mesh& mesh) const;
+    void require_inside(const Mesh& mesh, std::size_t points) const;
     void set_faces(const Mesh& mesh);
     template <class F>
     void each_face(const double* near, int scale, F f) const;

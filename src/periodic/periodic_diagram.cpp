@@ -367,7 +367,7 @@ void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
     Allocator& allocator = diagram.areas.allocator();
     VoronoiDiagram whole(allocator), built(allocator);
     VoronoiSources sources(view.allocator);
-    build_voronoi(view, region, periodic.halo().point_count(), stop, whole, &sources);
+    build_voronoi(view, region, periodic.halo().point_count(), 0, stop, whole, &sources);
     Extraction(periodic, whole, sources, built).run(stop);
     diagram = std::move(built);
 }

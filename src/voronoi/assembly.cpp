@@ -326,7 +326,7 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
 // Vertices with near numbers mostly have near points, so their cells share faces that are in the
 // cache.
 void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
-                             const StopRequest& stop) {
+                             std::size_t measured, const StopRequest& stop) {
     VoronoiDiagram& d = diagram_;
     const std::size_t points = vertex_of_.size(), vertices = mesh_.vertices.size();
     d.volumes.resize(points, 0.0);
@@ -343,6 +343,7 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& ind
             }
             if (v + ahead < end) prefetch_faces(indices[v + ahead]);
             const std::size_t cell = indices[v];
+            if (cell >= measured) continue;
             double* const centroid = d.cell_centroids.begin() + 3 * cell;
             if (d.is_bounded[cell] == 0) {
                 d.volumes[cell] = unbounded;

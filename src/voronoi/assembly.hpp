@@ -26,9 +26,9 @@ class Assembly {
     void number_corners();
     void find_bounded_cells();
     void list_cells();
-    // `first` has a tetrahedron of each vertex.
+    // `first` has a tetrahedron of each vertex. Cells from `measured` on are left out.
     void measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
-                       const StopRequest& stop);
+                       std::size_t measured, const StopRequest& stop);
 
   private:
     // The faces that contain an item; `item` becomes its position among them.

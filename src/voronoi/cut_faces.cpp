@@ -11,7 +11,8 @@ namespace mgdt {
 
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
-                   CutCorners& corners, AtomicArray<TetId>& first, const StopRequest& stop)
+                   CutCorners& corners, AtomicArray<TetId>& first, std::size_t points,
+                   const StopRequest& stop)
     : view_(view),
       mesh_(view.mesh),
       indices_(indices),
@@ -20,6 +21,7 @@ CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const R
       is_cut_(is_cut),
       corners_(corners),
       first_(first),
+      points_(points),
       stop_(stop) {}
 
 // A cell may be cut if one of its corners is not certainly inside the region.
@@ -46,7 +48,8 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
     constexpr std::size_t vertices_per_thread = 256;
     Buffer<VertexId> cut(view_.allocator);
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v)
-        if (is_cut_[v].load(std::memory_order_relaxed) != 0) cut.push_back(v);
+        if (is_cut_[v].load(std::memory_order_relaxed) != 0 && indices_[v] < points_)
+            cut.push_back(v);
     view_.team.split(
         cut.size(), vertices_per_thread, [&](std::size_t begin, std::size_t end, unsigned member) {
             Link link(view_.allocator);

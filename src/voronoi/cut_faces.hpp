@@ -13,7 +13,7 @@ class CutFaces {
   public:
     CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
              const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut, CutCorners& corners,
-             AtomicArray<TetId>& first, const StopRequest& stop);
+             AtomicArray<TetId>& first, std::size_t points, const StopRequest& stop);
 
     // Sets the marks of the vertices whose cells may be cut.
     void mark();
@@ -47,6 +47,7 @@ class CutFaces {
     AtomicArray<std::uint8_t>& is_cut_;
     CutCorners& corners_;
     AtomicArray<TetId>& first_;
+    const std::size_t points_;  // vertices with larger indices have no cells
     const StopRequest& stop_;
 };
 

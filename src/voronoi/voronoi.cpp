@@ -11,13 +11,14 @@
 namespace mgdt {
 
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   const StopRequest& stop, VoronoiDiagram& diagram, VoronoiSources* sources) {
+                   std::size_t far, const StopRequest& stop, VoronoiDiagram& diagram,
+                   VoronoiSources* sources) {
     stop.poll();
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
     Buffer<VertexId> vertex_of(view.allocator);
-    vertex_of.resize(points, infinite_vertex);
-    diagram.points.resize(3 * points, 0.0);
+    vertex_of.resize(points + far, infinite_vertex);
+    diagram.points.resize(3 * (points + far), 0.0);
     for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
         const std::size_t index = indices[v];
         vertex_of[index] = v;
@@ -31,7 +32,7 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
     CutCorners corners(view, indices, region, centers, vertex_of);
     PerMember<FoundFaces> found(view.team, view.allocator, std::ref(view.allocator));
     if (region.is_bounded()) {
-        CutFaces cut(view, indices, region, centers, is_cut, corners, first, stop);
+        CutFaces cut(view, indices, region, centers, is_cut, corners, first, points, stop);
         cut.mark();
         cut.find(found);
     }
@@ -43,7 +44,13 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
     stop.poll();
     assembly.find_bounded_cells();
     assembly.list_cells();
-    assembly.measure_cells(first, indices, stop);
+    assembly.measure_cells(first, indices, points, stop);
+    // The cells of far vertices are the last, and have no faces.
+    diagram.points.resize(3 * points);
+    diagram.cell_begin.resize(points + 1);
+    diagram.is_bounded.resize(points);
+    diagram.volumes.resize(points);
+    diagram.cell_centroids.resize(3 * points);
 }
 
 }  // namespace mgdt

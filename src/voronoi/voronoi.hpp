@@ -17,12 +17,13 @@ struct VoronoiSources {
 };
 
 // Sets the arrays of the diagram but for `planes`. The cells are clipped to the region if it is
-// bounded. `points` is the number of points given; there is at least one tetrahedron. With
+// bounded. `points` is the number of points given; there is at least one tetrahedron. The cells of
+// `far` vertices with larger indices are left out; they are outside the region. With
 // `sources`, which requires a region without bounds, sets these too, and the centroids are
 // relative: that of a cell to its point, that of a face to its first side. Throws
 // MGDT_ERR_CANCELLED if there is a request to stop.
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   const StopRequest& stop, VoronoiDiagram& diagram,
+                   std::size_t far, const StopRequest& stop, VoronoiDiagram& diagram,
                    VoronoiSources* sources = nullptr);
 
 }  // namespace mgdt

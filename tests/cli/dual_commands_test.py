@@ -143,6 +143,7 @@ class Cells(Dual):
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-share", "1", says="--least-share")
         self.fails(3, "voronoi", four, "-o", "c.vtu", "--bounds", "0,0,0,1,0.5,1", says=["p.xyz", "point 2"])
         self.fails(3, "voronoi", flat, "-o", "c.vtu", says=["flat.xyz", "on a plane", "no cells"])
+        self.mgdt("voronoi", "-q", flat, "--bounds=-9,-9,-9,9,9,9", "-o", "flat.vtu")
         self.fails(3, "voronoi", four, "-o", "c.vtu", "--planes", "none", says="none")
         for text, why in (("", "no planes"), ("1 2 3\n", "line 1"), ("1 0 0 9\n1 2 3 4 5\n", "line 2"),
                           ("1 0 0 nan\n", "line 1"), ("0 0 0 1\n", "p.xyz"), ("1 0 0 9\n", "p.xyz")):

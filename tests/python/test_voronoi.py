@@ -274,6 +274,53 @@ def spoiled(points):
     return triangulation
 
 
+class FlatSets(unittest.TestCase):
+    """Points that do not span space have cells within bounds: those of the middle of three equal layers
+    at a distance, between the planes half-way to the others."""
+
+    def test_beside_layers(self):
+        rng = np.random.default_rng(3)
+        plane, line = rng.random((30, 3)) * [1, 1, 0], rng.random((9, 3)) * [1, 0, 0]
+        grid = np.array([(i, j, 0) for i in range(4) for j in range(4)]) / 3
+        for points, axes in ((plane, [2]), (grid, [2]), (line, [1, 2]), (np.zeros((1, 3)), [0, 1, 2]),
+                             (np.concatenate([plane, plane[3:5]]), [2])):
+            low, high = points.min(0) - 0.25, points.max(0) + 0.5
+            layers = [np.zeros(3)]
+            for axis in axes:
+                low[axis], high[axis] = -1.0, 1.0
+                step = 2 * np.eye(3)[axis]
+                layers = [at + k * step for k in (0, -1, 1) for at in layers]
+            copies = np.concatenate([points + at for at in layers])
+            wide = [low - 3 * np.isin(range(3), axes), high + 3 * np.isin(range(3), axes)]
+            expected = mgdt.Voronoi(copies, bounds=wide)
+            cells = mgdt.Voronoi(points, bounds=(low, high))
+            n = len(points)
+            self.assertEqual((len(cells.volumes), cells.points.shape), (n, (n, 3)))
+            np.testing.assert_allclose(cells.volumes, expected.volumes[:n], rtol=1e-11)
+            np.testing.assert_allclose(cells.areas, expected.areas[:n], rtol=1e-11)
+            np.testing.assert_allclose(cells.centroids, expected.centroids[:n], atol=1e-11)
+            self.assertEqual([len(of) for of in cells.neighbors], [len(of) for of in expected.neighbors[:n]])
+            self.assertLess(cells.ridge_points.max(), n)
+            np.testing.assert_allclose(cells.volumes.sum(), np.prod(high - low), rtol=1e-12)
+            triangulation = mgdt.Delaunay(points)
+            planes = [[*(s * np.eye(3)[k]), s * (high, low)[s < 0][k]] for k in range(3) for s in (1, -1)]
+            for measure, of in (("volume", cells.volumes), ("area", cells.areas), ("centroid", cells.centroids)):
+                np.testing.assert_allclose(triangulation.cell_measures(measure, planes), of, rtol=1e-11, atol=1e-12)
+            counts = triangulation.cell_measures("faces", planes)
+            self.assertEqual(counts.tolist(), [len(of) for of in cells.neighbors])
+
+    def test_what_is_refused(self):
+        flat = np.random.default_rng(3).random((9, 3)) * [1, 1, 0]
+        with self.assertRaises(mgdt.QhullError):
+            mgdt.Voronoi(flat)
+        with self.assertRaises(mgdt.ArgumentError):
+            mgdt.Delaunay(flat).cell_measures("volume")
+        for bounds, says in (([0, 0, 0.5], [1, 1, 1]), "point 0 is beyond plane"), (
+                ([-1e308] * 3, [1e308] * 3), "too large for doubles"):
+            with self.assertRaisesRegex(mgdt.ArgumentError, says):
+                mgdt.Voronoi(flat, bounds=bounds)
+
+
 class ArraysOfTheUser(unittest.TestCase):
     """Nothing but the user reads the arrays that attributes have given."""
 

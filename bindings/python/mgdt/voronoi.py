@@ -135,7 +135,8 @@ class Voronoi(Snapshot, Diagram):
         self._begin()
 
     def _take(self, handle: Handle) -> None:
-        has_cells = handle.dimension == 3
+        # Points in one plane, on one line or at one place have cells within a region.
+        has_cells = handle.dimension == 3 or (handle.dimension >= 0 and len(self._planes) > 0)
         self._arrays = handle.voronoi(self._planes, *self._least) if has_cells else {}
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:

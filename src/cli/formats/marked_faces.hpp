@@ -35,6 +35,7 @@ inline std::vector<MarkerGroup> groups_of(const std::vector<std::int32_t>& marke
     std::map<std::int32_t, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < markers.size(); ++i) members[markers[i]].push_back(i);
     std::vector<MarkerGroup> groups;
+    groups.reserve(members.size());
     for (auto& [marker, of] : members) groups.push_back({marker, std::move(of)});
     return groups;
 }
