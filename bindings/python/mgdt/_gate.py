@@ -49,6 +49,15 @@ def interrupt_soon() -> None:
     _thread.start_new_thread(interrupt, ())
 
 
+def free(destroy: Callable[[Any], Any], pointer: Any) -> None:
+    """Frees what a handle holds, for its destructor: Python prints and drops what is raised there."""
+    try:
+        destroy(pointer)
+    except KeyboardInterrupt:
+        # Ctrl-C while the memory was freed.
+        interrupt_soon()
+
+
 class Gate:
     """Lets any number of threads read at once, or one write.
 

@@ -20,7 +20,7 @@ from ._arrays import (
     stride_in_doubles,
 )
 from ._diagram import taken_diagram
-from ._gate import interrupt_soon
+from ._gate import free
 from ._insertion import Insertion
 
 _STATISTICS = _interface.CONSTANTS["statistic"].values()
@@ -64,11 +64,7 @@ class Handle:
 
     def __del__(self) -> None:
         if self._pointer:
-            try:
-                self._library.mgdt_destroy(self._pointer)
-            except KeyboardInterrupt:
-                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
-                interrupt_soon()
+            free(self._library.mgdt_destroy, self._pointer)
 
     def _message(self, status: int) -> str:
         buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)

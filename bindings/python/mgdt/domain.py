@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
-from ._gate import Gate, interrupt_soon, interruptibly
+from ._gate import Gate, free, interruptibly
 from ._insertion import SHORT
 from ._interface import CONSTANTS
 
@@ -117,11 +117,7 @@ class _Handle:
 
     def __del__(self) -> None:
         if getattr(self, "_pointer", None):
-            try:
-                _function("destroy")(self._pointer)
-            except KeyboardInterrupt:
-                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
-                interrupt_soon()
+            free(_function("destroy"), self._pointer)
 
     def quiet(self, name: str, *arguments: Any) -> int:
         return int(_function(name)(self._pointer, *arguments))

@@ -15,7 +15,7 @@ from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._diagram import Diagram, cell_areas, lists, taken_diagram
-from ._gate import Gate, interrupt_soon, interruptibly
+from ._gate import Gate, free, interruptibly
 from ._interface import CONSTANTS
 from ._triangulation import LONG_EXPORT
 
@@ -60,11 +60,7 @@ class _Box:
 
     def __del__(self) -> None:
         if getattr(self, "_pointer", None):
-            try:
-                self._function("destroy")(self._pointer)
-            except KeyboardInterrupt:
-                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
-                interrupt_soon()
+            free(self._function("destroy"), self._pointer)
 
     @staticmethod
     def _function(name: str) -> Callable[..., Any]:
@@ -185,7 +181,8 @@ class PeriodicDelaunay:
     ) -> None:
         rows = np.array(as_points(points), np.float64, order="C")
         self.progress = progress
-        self._make(rows, _vectors(box, periodic), {"threads": threads, "memory_limit": memory_limit}, float(merge_distance))
+        settings = {"threads": threads, "memory_limit": memory_limit}
+        self._make(rows, _vectors(box, periodic), settings, float(merge_distance))
 
     def _make(
         self, rows: FloatArray, vectors: FloatArray, settings: dict[str, int], merge_distance: float
@@ -430,11 +427,10 @@ class PeriodicVoronoi(Diagram):
             raise ValueError(f"least_area is {least_area!r}; it must be at least 0")
         if not 0 <= least_share < 1:
             raise ValueError(f"least_share is {least_share!r}; it must be at least 0 and below 1")
-        box_of_points, limits = self.delaunay._box, (float(least_area), float(least_share))
+        handle, limits = self.delaunay._box, (float(least_area), float(least_share))
 
         # All of one state, while another thread may move the points.
         def read() -> tuple[FloatArray, FloatArray, IndexArray, dict[str, NDArray[Any]]]:
-            handle = box_of_points
             rows, vectors = handle.rows("points"), handle.rows("vectors")
             return rows, vectors, handle.integers("point_map"), handle.voronoi(*limits)
 
