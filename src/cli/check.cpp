@@ -30,7 +30,17 @@ void print(const char* what, bool good, const std::string& detail) {
     fmt::print("  {:<12} {:<4} {}\n", what, good ? "ok" : "BAD", detail);
 }
 
-// The points with the boundary facets of a mesh, which may not cross.
+// Prints the findings, unless it is quiet, and returns the first bad one, or nullptr.
+const Finding* print_findings(const MeshReport& report, bool quiet) {
+    const Finding* first = nullptr;
+    for (const Finding& f : report.findings) {
+        if (!quiet) print(f.what, f.good, f.detail);
+        if (!f.good && first == nullptr) first = &f;
+    }
+    return first;
+}
+
+// Says whether boundary facets of a mesh cross or touch.
 Finding crossings(const Mesh& mesh, const std::vector<MeshIndex>& boundary,
                   const CheckOptions& options, const std::string& name) {
     Mesh surface;
@@ -65,12 +75,7 @@ int check_constrained(const Mesh& mesh, const Reference& reference, const CheckO
                       const std::string& name) {
     auto [report, boundary] = check_constrained_mesh(mesh, reference);
     if (report.valid) report.findings.push_back(crossings(mesh, boundary, options, name));
-    const Finding* first = nullptr;
-    for (const Finding& f : report.findings) {
-        if (!options.triangulation.quiet) print(f.what, f.good, f.detail);
-        if (!f.good && first == nullptr) first = &f;
-    }
-    if (first != nullptr)
+    if (const Finding* const first = print_findings(report, options.triangulation.quiet))
         throw Error(exit_check_failed, fmt::format("{}: not a mesh of tetrahedra: {}: {}", name,
                                                    first->what, first->detail));
     if (!options.triangulation.quiet)
@@ -137,19 +142,11 @@ int check(const CheckOptions& options) {
     if (!report.valid && mesh.facets.size() > 0)
         return check_constrained(mesh, reference, options, name);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
-    if (!quiet) {
-        for (const Finding& f : report.findings) print(f.what, f.good, f.detail);
-    }
-    if (!report.valid) {
-        std::string first;
-        for (const Finding& f : report.findings) {
-            if (!f.good && first.empty()) first = fmt::format("{}: {}", f.what, f.detail);
-        }
+    if (const Finding* const first = print_findings(report, quiet))
         throw Error(exit_check_failed,
-                    fmt::format("{}: not a Delaunay triangulation of its points: {} (--constrained "
-                                "checks other meshes)",
-                                name, first));
-    }
+                    fmt::format("{}: not a Delaunay triangulation of its points: {}: {} "
+                                "(--constrained checks other meshes)",
+                                name, first->what, first->detail));
     if (!quiet) {
         const bool same = report.in_common == canonical && canonical == mesh.tetrahedron_count();
         fmt::print("{}: a valid Delaunay triangulation, {}\n", name,

@@ -18,8 +18,8 @@ struct InputOptions {
     std::string path;
     std::string from;  // format; if empty, it is found by extension, then by content
     ReadOptions read;
-    bool allow_empty = false;  // accept an empty file as no points
-    bool needs_facets = false;
+    bool allow_empty = false;   // accept an empty file as no points
+    bool needs_facets = false;  // the command has no use for points alone
 };
 
 struct OutputOptions {
@@ -57,9 +57,9 @@ int generate_points(const GenerateCommandOptions& options);
 
 struct CheckOptions {
     InputOptions input;
-    std::string points;  // file of the points, if `input` is an array of tetrahedra
-    int index_base = 0;  // the index base of that array
-    bool is_constrained = false;
+    std::string points;           // file of the points, if `input` is an array of tetrahedra
+    int index_base = 0;           // the index base of that array
+    bool is_constrained = false;  // check a mesh that need not be Delaunay or convex
     TriangulationOptions triangulation;
 };
 int check(const CheckOptions& options);

@@ -13,14 +13,15 @@
 //                point inside the first tetrahedron is beyond no boundary facet.
 //   cover        That point is in no other tetrahedron.
 //   vertices     Every point is a vertex.
-// Of a constrained mesh, whose boundary may be concave and whose tetrahedra may be any, these are
-// made: orientation, facets and cover; and
-//   boundary     An even number of boundary facets meet at each edge. The caller sees whether they
-//                cross.
-//   Delaunay     How many shared facets that are not constrained have an opposite vertex inside of
-//                a circumsphere; any number is good.
 // docs/theory.md, "What the check proves", shows that tetrahedra which pass these tests are a
 // Delaunay triangulation of the points.
+//
+// A constrained mesh may have a concave boundary, and tetrahedra that are not Delaunay. It has to
+// pass orientation, facets and cover, and the next test:
+//   boundary     An even number of boundary facets meet at each edge of the boundary. Whether
+//                boundary facets cross is tested by the caller.
+// The report also has a line "Delaunay", which counts the shared facets that have an opposite
+// vertex inside a circumsphere and are not constrained. It is never bad.
 #pragma once
 
 #include <string>
@@ -55,7 +56,7 @@ struct ConstrainedReport {
     std::vector<MeshIndex> boundary;  // the corners of the boundary facets, 3 each
 };
 
-// The facets of `mesh.facets` that are triangles are constrained.
+// The triangles of `mesh.facets` are the constrained facets.
 ConstrainedReport check_constrained_mesh(const Mesh& mesh, const Reference& reference);
 
 }  // namespace mgdt::cli

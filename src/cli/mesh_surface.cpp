@@ -188,7 +188,7 @@ int mesh_surface(const MeshOptions& options) {
     const OutputOptions& output = options.output;
     const Format& format = tetrahedra_format(output);
     const std::string name = input_name(options.input.path);
-    WriteOptions write = output.write;
+    WriteOptions write;
     Mesh mesh;
     std::size_t n_facets = 0, n_points = 0, n_steiner = 0, n_regions = 0;
     {
@@ -204,9 +204,7 @@ int mesh_surface(const MeshOptions& options) {
         if (!options.quiet) warn_of_losses(domain, name);
         mesh = mesh_of(domain);
         mesh.faces.names = input.facets.names;
-        // TetGen's files keep the number of their first point.
-        if (&format == &tetgen_format() && !write.is_base_chosen)
-            write.index_base = input.first_number.value_or(0);
+        write = options_after(input, &format, output.write);
     }
     if (!options.all_points) take_out_unused_points(mesh);
     OutputSet outputs;

@@ -80,9 +80,7 @@ int relax(const RelaxOptions& options) {
         }
     }
     OutputSet outputs;
-    WriteOptions write = output.write;
-    if (&format == &tetgen_format() && !write.is_base_chosen)
-        write.index_base = mesh.first_number.value_or(0);
+    const WriteOptions write = options_after(mesh, &format, output.write);
     format.write_points(mesh.points, outputs.open(output.path), write);
     outputs.commit();
     if (!options.triangulation.quiet && output.path != "-") {

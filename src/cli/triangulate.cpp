@@ -133,10 +133,7 @@ int triangulate(const TriangulateOptions& options) {
     OutputSet outputs;
     if (!options.point_map.empty())
         write_npy_integers(point_map, output.write.index_base, outputs.open(options.point_map));
-    WriteOptions write = output.write;
-    // Numbers begin as in the input, since other files of the same set use these numbers.
-    if (format == &tetgen_format() && !write.is_base_chosen)
-        write.index_base = mesh.first_number.value_or(0);
+    const WriteOptions write = options_after(mesh, format, output.write);
     if (format) format->write_mesh(mesh, output.path, outputs, write);
     mesh = {};
     if (wants_neighbors) {

@@ -152,9 +152,7 @@ int triangulate_in_box(const TriangulateOptions& options) {
         for (MeshIndex& v : point_map) v = numbers[static_cast<std::size_t>(v)];
     }
     OutputSet outputs;
-    WriteOptions write = output.write;
-    if (format == &tetgen_format() && !write.is_base_chosen)
-        write.index_base = mesh.first_number.value_or(0);
+    const WriteOptions write = options_after(mesh, format, output.write);
     if (!options.point_map.empty())
         write_npy_integers(point_map, write.index_base, outputs.open(options.point_map));
     if (!options.images.empty())

@@ -135,6 +135,12 @@ const Format& output_format(const std::string& path, const std::string& name) {
                             path == "-" ? "standard output" : printable(path), names()));
 }
 
+WriteOptions options_after(const Mesh& input, const Format* format, WriteOptions options) {
+    if (format == &tetgen_format() && !options.is_base_chosen)
+        options.index_base = input.first_number.value_or(0);
+    return options;
+}
+
 void require_compressible(const WriteOptions& options, const Format& format) {
     if (!options.compress) return;
     if (&format != &vtu_format() && &format != &vtp_format())

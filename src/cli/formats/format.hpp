@@ -119,6 +119,11 @@ Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& op
 // if neither is known.
 const Format& output_format(const std::string& path, const std::string& name);
 
+// The options with which a mesh is written that was made from a file. TetGen's files begin with the
+// number that the file begins with, unless the user has chosen one, since other files of the same
+// set use these numbers. `format` may be nullptr.
+WriteOptions options_after(const Mesh& input, const Format* format, WriteOptions options);
+
 // Throws if compression is asked for, and the format or this program does not have it.
 void require_compressible(const WriteOptions& options, const Format& format);
 

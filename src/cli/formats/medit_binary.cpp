@@ -159,7 +159,8 @@ class Writer {
             integer(0);
         }
     }
-    // Writes cells with `size` vertices each, and a reference after each: its marker, or 0.
+    // Writes cells of `size` vertices. Each is followed by its marker, or by 0 if there are no
+    // markers.
     void write_cells(Keyword keyword, const std::vector<MeshIndex>& vertices, std::size_t size,
                      const std::vector<std::int32_t>& markers) {
         begin(keyword, 4 + vertices.size() / size * (size + 1) * 4);

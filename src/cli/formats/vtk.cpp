@@ -328,7 +328,8 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     for (std::size_t f = 0; f < faces; ++f) out.write("5\n");
     if (mesh.regions.empty()) return;
     out.write(fmt::format("CELL_DATA {}\n", n + faces));
-    // Each array has a value for all cells: 0 for those of the other kind.
+    // Tetrahedra have the array "region" and triangles the array "facet". VTK needs a value for
+    // every cell in both, so the array is 0 for cells of the other kind.
     for (const bool of_facets : {false, true}) {
         out.write(fmt::format("SCALARS {} int 1\nLOOKUP_TABLE default\n",
                               of_facets ? "facet" : "region"));
