@@ -53,6 +53,17 @@ mgdt_status read_arrays(const Size& size, const Integers& integers, const Double
     return found.worst;
 }
 
+// The same by the functions of a kind of handle.
+template <class Handle>
+mgdt_status read_arrays_of(
+    const Handle* h, mgdt_status (*size)(const Handle*, std::int32_t, std::int64_t*),
+    mgdt_status (*integers)(const Handle*, std::int32_t, std::int64_t, std::int64_t*),
+    mgdt_status (*doubles)(const Handle*, std::int32_t, std::int64_t, double*)) {
+    return read_arrays([&](auto k, auto* n) { return size(h, k, n); },
+                       [&](auto k, auto n, auto* x) { return integers(h, k, n, x); },
+                       [&](auto k, auto n, auto* x) { return doubles(h, k, n, x); });
+}
+
 Kind domain() {
     static const double points[] = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0,
                                     4, 4, 4, 4, 0, 4, 4, 1, 1, 2, 3, 1, 2, 1, 3, 2};
@@ -63,39 +74,36 @@ Kind domain() {
     static const std::int64_t segment[] = {0, 6};
     static const double place[] = {1, 1, 1}, nowhere[] = {9, 9, 9};
     const auto d = [](void* h) { return static_cast<mgdt_domain*>(h); };
-    return {
-        "domain",
-        [](void** out) {
-            return mgdt_domain_create_with_allocator(handle_take, handle_give, nullptr,
-                                                     reinterpret_cast<mgdt_domain**>(out));
-        },
-        [d](void* h) { mgdt_domain_destroy(d(h)); },
-        {{"set_points", [d](void* h) { return mgdt_domain_set_points(d(h), 11, points); }},
-         {"set_facets",
-          [d](void* h) { return mgdt_domain_set_facets(d(h), 7, offsets, corners, markers); }},
-         {"set_segments",
-          [d](void* h) { return mgdt_domain_set_segments(d(h), 1, segment, markers); }},
-         {"add_region", [d](void* h) { return mgdt_domain_add_region(d(h), place, 3); }},
-         {"add_hole", [d](void* h) { return mgdt_domain_add_hole(d(h), nowhere); }},
-         // The segment crosses the triangle.
-         {"validate",
-          [d](void* h) {
-              const mgdt_status s = mgdt_domain_validate(d(h));
-              return s == MGDT_ERR_INVALID_BOUNDARY ? MGDT_OK : s;
-          }},
-         {"set no segments",
-          [d](void* h) { return mgdt_domain_set_segments(d(h), 0, nullptr, nullptr); }, false},
-         {"build", [d](void* h) { return mgdt_domain_build(d(h)); }},
-         {"check", [d](void* h) { return mgdt_domain_check(d(h)); }},
-         {"arrays",
-          [d](void* h) {
-              return read_arrays(
-                  [&](auto k, auto* n) { return mgdt_domain_get_size(d(h), k, n); },
-                  [&](auto k, auto n, auto* x) { return mgdt_domain_get_array(d(h), k, n, x); },
-                  [&](auto k, auto n, auto* x) { return mgdt_domain_get_doubles(d(h), k, n, x); });
-          },
-          false},
-         {"clear", [d](void* h) { return mgdt_domain_clear(d(h)); }, false}}};
+    return {"domain",
+            [](void** out) {
+                return mgdt_domain_create_with_allocator(handle_take, handle_give, nullptr,
+                                                         reinterpret_cast<mgdt_domain**>(out));
+            },
+            [d](void* h) { mgdt_domain_destroy(d(h)); },
+            {{"set_points", [d](void* h) { return mgdt_domain_set_points(d(h), 11, points); }},
+             {"set_facets",
+              [d](void* h) { return mgdt_domain_set_facets(d(h), 7, offsets, corners, markers); }},
+             {"set_segments",
+              [d](void* h) { return mgdt_domain_set_segments(d(h), 1, segment, markers); }},
+             {"add_region", [d](void* h) { return mgdt_domain_add_region(d(h), place, 3); }},
+             {"add_hole", [d](void* h) { return mgdt_domain_add_hole(d(h), nowhere); }},
+             // The segment crosses the triangle.
+             {"validate",
+              [d](void* h) {
+                  const mgdt_status s = mgdt_domain_validate(d(h));
+                  return s == MGDT_ERR_INVALID_BOUNDARY ? MGDT_OK : s;
+              }},
+             {"set no segments",
+              [d](void* h) { return mgdt_domain_set_segments(d(h), 0, nullptr, nullptr); }, false},
+             {"build", [d](void* h) { return mgdt_domain_build(d(h)); }},
+             {"check", [d](void* h) { return mgdt_domain_check(d(h)); }},
+             {"arrays",
+              [d](void* h) {
+                  return read_arrays_of<mgdt_domain>(
+                      d(h), mgdt_domain_get_size, mgdt_domain_get_array, mgdt_domain_get_doubles);
+              },
+              false},
+             {"clear", [d](void* h) { return mgdt_domain_clear(d(h)); }, false}}};
 }
 
 template <class Read>
@@ -109,10 +117,8 @@ mgdt_status read_measures(std::int64_t n, const Read& read) {
 
 mgdt_status read_diagram(mgdt_voronoi* v) {
     Statuses found;
-    found.add(
-        read_arrays([&](auto k, auto* n) { return mgdt_voronoi_get_size(v, k, n); },
-                    [&](auto k, auto n, auto* x) { return mgdt_voronoi_get_array(v, k, n, x); },
-                    [&](auto k, auto n, auto* x) { return mgdt_voronoi_get_doubles(v, k, n, x); }));
+    found.add(read_arrays_of<mgdt_voronoi>(v, mgdt_voronoi_get_size, mgdt_voronoi_get_array,
+                                           mgdt_voronoi_get_doubles));
     found.add(mgdt_voronoi_drop_small_faces(v, 1e-3, 0));
     return found.worst;
 }
@@ -158,12 +164,8 @@ Kind box() {
          {"check", [p](void* h) { return mgdt_periodic_check(p(h)); }},
          {"arrays",
           [p](void* h) {
-              return read_arrays(
-                  [&](auto k, auto* n) { return mgdt_periodic_get_size(p(h), k, n); },
-                  [&](auto k, auto n, auto* x) { return mgdt_periodic_get_array(p(h), k, n, x); },
-                  [&](auto k, auto n, auto* x) {
-                      return mgdt_periodic_get_doubles(p(h), k, n, x);
-                  });
+              return read_arrays_of<mgdt_periodic>(
+                  p(h), mgdt_periodic_get_size, mgdt_periodic_get_array, mgdt_periodic_get_doubles);
           }},
          {"measures",
           [p](void* h) {
