@@ -149,19 +149,19 @@ MGDT_API mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, 
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t option,
                                               int64_t* value);
-/** Sets the distance within which points become equal, for later builds; 0 (default) for none. A
- *  point that has an image within the distance of an earlier point, which itself has become equal
- * to none, is from then on an image of it: MGDT_PERIODIC_ARRAY_POINT_MAP names the earlier point,
- * and MGDT_PERIODIC_ARRAY_POINT_OFFSETS which of its images the point is. That is for points on the
- *  faces of a box, such as those of a crystal that are given at the fractional coordinates 0 and 1:
- *  in a box with oblique vectors their coordinates differ by rounding. Distances are rounded, too.
- * The returned coordinates of points stay.
- *  @param distance  finite and at least 0. A build fails with MGDT_ERR_INVALID_ARGUMENT if it is
- * more than an eighth of the least distance between opposite faces of the reduced box
+/** Sets the distance within which later builds merge points; 0 (default) merges none. Points
+ *  are taken in their order. A point is merged with the first earlier, unmerged point of which
+ *  an image is within the distance: MGDT_PERIODIC_ARRAY_POINT_MAP names that point, and
+ *  MGDT_PERIODIC_ARRAY_POINT_OFFSETS the image. The coordinates that are returned for a merged
+ *  point do not change. Merging helps where points are given on both sides of an oblique box,
+ *  such as a crystal's at the fractional coordinates 0 and 1, whose images differ by rounding.
+ *  @param distance  finite and at least 0; it is compared with rounded distances. A build fails
+ *                   with MGDT_ERR_INVALID_ARGUMENT if it is more than an eighth of the least
+ *                   distance between opposite faces of the reduced box
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double distance);
-/** The distance within which points become equal.
+/** The distance within which points are merged.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, double* distance);

@@ -106,16 +106,16 @@ enum {
 /** Makes the Voronoi diagram of the points in a triangulation. It uses as many threads as the
  *  triangulation (mgdt_set_threads()), takes its memory from the same functions and has the same
  *  memory limit for itself. mgdt_cancel() stops the call.
- *  @param t         its points span space, or it is empty, or there are planes
+ *  @param t         without planes, its points span space, or it has none
  *  @param n_planes  number of planes; 0 to clip nothing
  *  @param planes    4 numbers a b c d for each plane: the region is where a x + b y + c z <= d. The
  *                   region is bounded and contains all points, as for mgdt_get_cell_measures()
  *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the
  *                   triangulation (mgdt_get_error())
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (the points do not span space
- *  and there are no planes, a plane has no normal, a point is outside the region, or the planes
- * bound no region), MGDT_ERR_NOT_FINITE (a plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
- * MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (without planes, points that
+ *  do not span space; a plane without a normal, a point outside the region, planes that bound no
+ *  region), MGDT_ERR_NOT_FINITE (a plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
+ *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_planes,
                                          const double* planes, mgdt_voronoi** out);

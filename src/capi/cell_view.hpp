@@ -11,9 +11,9 @@
 
 namespace mgdt {
 
-// Calls f(view, region, far) for a triangulation that has vertices. Points that do not span space
-// have cells within a region: then the view is that of a spanned_copy.hpp, and far_points vertices
-// have larger indices than all points; otherwise `far` is 0. Memory comes from `allocator`.
+// Calls f(view, region, far) for a triangulation that has vertices. If its points do not span
+// space, the view is that of a copy that does (core/spanned_copy.hpp), and `far` is the number of
+// vertices that the copy has besides; otherwise it is 0. Memory comes from `allocator`.
 template <class F>
 void with_cell_view(const mgdt_triangulation* t, Allocator& allocator, std::size_t n_planes,
                     const double* planes, const F& f) {
@@ -23,21 +23,20 @@ void with_cell_view(const mgdt_triangulation* t, Allocator& allocator, std::size
     constexpr std::size_t vertices_per_thread = 4096;
     Team team(core.threads_for(points, vertices_per_thread));
     const bool canonical = core.settings().canonical_output;
-    if (core.dimension() == 3 || n_planes == 0) {
-        require_space(t, "cells");
-        const ExportView view = {team, core.mesh(), nullptr, allocator, base, canonical};
-        f(view, Region(allocator, n_planes, planes, core.mesh(), base, points), std::size_t{0});
-        return;
-    }
-    const Region flat(allocator, n_planes, planes, core.mesh(), base, points);
+    const auto call = [&](const Mesh& mesh, const Region& region, std::size_t far) {
+        f(ExportView{team, mesh, nullptr, allocator, base, canonical}, region, far);
+    };
+    if (n_planes == 0) require_space(t, "cells");
+    const Region own(allocator, n_planes, planes, core.mesh(), base);
+    if (core.dimension() == 3) return call(core.mesh(), own, 0);
     // A triangulation is too large for the stack.
     Objects<Triangulation> place(allocator, 1, &Allocator::allocate_from, &Allocator::release_to,
                                  static_cast<void*>(&allocator));
     Triangulation& copy = place[0];
     copy.settings().threads = core.settings().threads;
-    copy_spanned(core, scaled(flat.extent(), -core.mesh().scale), points, copy);
-    const ExportView view = {team, copy.mesh(), nullptr, allocator, base, canonical};
-    f(view, Region(allocator, n_planes, planes, copy.mesh(), base, points), far_points);
+    copy_spanned(core, scaled(own.extent(), -core.mesh().scale), points, copy);
+    // The scale of the copy may differ, so it has a region of its own.
+    call(copy.mesh(), Region(allocator, n_planes, planes, copy.mesh(), base, points), far_points);
 }
 
 }  // namespace mgdt

@@ -17,8 +17,8 @@ class Region {
     // Each plane is four numbers a b c d, for a x + b y + c z <= d. The region refers to these
     // numbers, which must not move. Without planes the region is all of space. Throws an Error if a
     // number is not finite, a plane has no normal, a vertex is outside by more than rounding, or
-    // the planes do not bound a region. Messages number planes and points from `base` on. Vertices
-    // whose indices are not below `points` may be anywhere.
+    // the planes do not bound a region. Messages number planes and points from `base` on. Only
+    // vertices with an index below `points` are tested; the others may be outside.
     Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
            std::int32_t base, std::size_t points = static_cast<std::size_t>(-1));
 

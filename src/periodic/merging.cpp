@@ -33,7 +33,7 @@ class Cubes {
         before_[point] = last;
         last = point;
     }
-    // The first point within the distance of x, or no_index.
+    // Returns the least number of a point that is within the distance of x, or no_index.
     std::uint32_t first_near(const double* x) const {
         std::int64_t around[3];
         find_cube(x, around);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes points of a box equal that have images near to each other.
+// Merges points of a box that have images near to each other.
 #pragma once
 
 #include "periodic/image_grid.hpp"
@@ -8,11 +8,11 @@
 namespace mgdt {
 
 // `wrapped` has the points in the box, three coordinates each, and `taken` the multiples of the
-// basis that were taken from them. A point of which an image is within `distance`, in the unit of
-// the lattice, of an earlier point that stays, moves onto the first such image in the order of the
-// points and multiples: it gets the coordinates of that point and the multiples that fit.
-// Distances are rounded. Throws MGDT_ERR_INVALID_ARGUMENT if the distance is more than an eighth of
-// the least distance between the box's faces.
+// basis that were taken from them. Points are taken in their order. A point is merged with the
+// first earlier, unmerged point of which an image is within `distance`, in the unit of the
+// lattice: it gets the coordinates of that point, and the multiples that lead to the image.
+// Distances are rounded. Throws MGDT_ERR_INVALID_ARGUMENT if the distance is more than an eighth
+// of the least distance between opposite faces of the box.
 void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrapped,
                   Buffer<Multiples>& taken, Allocator& allocator);
 

@@ -80,7 +80,7 @@ class Periodic {
         require(mgdt_periodic_get_option(handle_.get(), static_cast<std::int32_t>(option), &value));
         return value;
     }
-    /** mgdt_periodic_set_merge_distance(). @throw Error */
+    /** Merges near images in later builds; mgdt_periodic_set_merge_distance(). @throw Error */
     void set_merge_distance(double distance) {
         require(mgdt_periodic_set_merge_distance(handle_.get(), distance));
     }
