@@ -2,7 +2,7 @@
 #include "dual/alpha.hpp"
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;
 
@@ -16,7 +16,7 @@ void surface(const mgdt_triangulation* t, double alpha2, int64_t capacity, Int* 
     require_capacity(capacity, 0, "the output array");
     if (!(alpha2 >= 0))
         fail(MGDT_ERR_INVALID_ARGUMENT, "alpha2 is %g; it must be at least 0", alpha2);
-    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
+    Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), slots_per_thread));
     const Buffer<std::uint32_t> facets = alpha_surface(view_of(team, t, false), alpha2);
     give_rows(t, 3, facets.size() / 3, capacity, v, count, [&](Int base) {
         for (std::size_t i = 0; i < facets.size(); ++i) v[i] = static_cast<Int>(facets[i]) + base;
@@ -31,13 +31,14 @@ extern "C" mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dime
         if (dimension < 0 || dimension > 3)
             fail(MGDT_ERR_INVALID_ARGUMENT, "dimension %d is not 0 to 3",
                  static_cast<int>(dimension));
-        const std::int64_t counts[] = {point_count(t->core), edge_count(t->core),
-                                       4 * tetrahedron_count(t->core), tetrahedron_count(t->core)};
+        const std::int64_t counts[] = {point_count(t->object), edge_count(t->object),
+                                       4 * tetrahedron_count(t->object),
+                                       tetrahedron_count(t->object)};
         const auto count = static_cast<std::size_t>(counts[dimension]);
         if (count > 0) require_pointer(alpha2, "the output array");
         require_capacity(capacity, count, "the output array");
         if (count == 0) return;
-        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
+        Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), slots_per_thread));
         const ExportView view = view_of(team, t, dimension >= 2);
         switch (dimension) {
             case 3:
@@ -45,7 +46,7 @@ extern "C" mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dime
             case 2:
                 return export_facet_alphas(view, alpha2);
             case 1:
-                return export_edge_alphas(view, t->core.point_map(), alpha2);
+                return export_edge_alphas(view, t->object.point_map(), alpha2);
             default:
                 return export_vertex_alphas(view, count, alpha2);
         }
@@ -66,7 +67,7 @@ extern "C" mgdt_status mgdt_get_solid_alpha(const mgdt_triangulation* t, double*
     return guard(t, [&] {
         require_space(t, "solids");
         require_pointer(alpha2, "alpha2");
-        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
+        Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), slots_per_thread));
         *alpha2 = solid_alpha(view_of(team, t, false));
     });
 }

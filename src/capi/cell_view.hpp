@@ -3,8 +3,8 @@
 #pragma once
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
 #include "capi/planes.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "core/spanned_copy.hpp"
 #include "dual/region.hpp"
 #include "platform/objects.hpp"
@@ -17,7 +17,7 @@ namespace mgdt {
 template <class F>
 void with_cell_view(const mgdt_triangulation* t, Allocator& allocator, std::size_t n_planes,
                     const double* planes, const F& f) {
-    const Triangulation& core = t->core;
+    const Triangulation& core = t->object;
     const std::int32_t base = core.settings().index_base;
     const auto points = static_cast<std::size_t>(point_count(core));
     constexpr std::size_t vertices_per_thread = 4096;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Removal, motion and renumbering of points.
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;
 
@@ -38,9 +38,9 @@ mgdt_status remove(mgdt_triangulation* t, int64_t n, const Int* points, const ch
             const std::size_t count = require_count(n);
             if (count == 0) return;
             require_pointer(points, "points");
-            Buffer<std::uint32_t> list(t->core.allocator());
-            read_points(t->core, count, points, list);
-            t->core.remove(list);
+            Buffer<std::uint32_t> list(t->object.allocator());
+            read_points(t->object, count, points, list);
+            t->object.remove(list);
         },
         name);
 }
@@ -71,10 +71,10 @@ mgdt_status move(mgdt_triangulation* t, int64_t n, const Int* points, const doub
             const std::size_t count = require_count(n);
             if (count == 0) return;
             require_pointer(xyz, "xyz");
-            if (!points) return move_all(t->core, count, xyz);
-            Buffer<std::uint32_t> list(t->core.allocator());
-            read_points(t->core, count, points, list);
-            t->core.move(list, xyz);
+            if (!points) return move_all(t->object, count, xyz);
+            Buffer<std::uint32_t> list(t->object.allocator());
+            read_points(t->object, count, points, list);
+            t->object.move(list, xyz);
         },
         name);
 }
@@ -84,16 +84,16 @@ mgdt_status renumber(mgdt_triangulation* t, int64_t capacity, Int* new_index, co
     return guard(
         t,
         [&] {
-            const Buffer<VertexId>& map = t->core.point_map();
+            const Buffer<VertexId>& map = t->object.point_map();
             if (!map.empty()) require_pointer(new_index, "new_index");
             require_capacity(capacity, map.size(), "new_index");
-            const Statistics& now = t->core.statistics();
+            const Statistics& now = t->object.statistics();
             require_range<Int>(now.points_inserted + now.duplicates, t);
-            const std::int64_t base = t->core.settings().index_base;
+            const std::int64_t base = t->object.settings().index_base;
             std::int64_t next = base;
             for (std::size_t i = 0; i < map.size(); ++i)
                 new_index[i] = static_cast<Int>(map[i] == infinite_vertex ? base - 1 : next++);
-            t->core.forget_absent_points();
+            t->object.forget_absent_points();
         },
         name);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 
 namespace mgdt {
 
@@ -32,12 +32,12 @@ inline std::int64_t edge_count(const Triangulation& t) {
 template <class Int, class Write>
 void give_rows(const mgdt_triangulation* t, std::size_t width, std::size_t rows, int64_t capacity,
                Int* v, Int* count, Write write) {
-    const auto points = static_cast<std::uint64_t>(point_count(t->core));
+    const auto points = static_cast<std::uint64_t>(point_count(t->object));
     require_range<Int>(std::max<std::uint64_t>(points, rows + 1), t);
     *count = static_cast<Int>(rows);
     if (rows > 0) require_pointer(v, "the output array");
     require_capacity(capacity, width * rows, "the output array");
-    write(static_cast<Int>(t->core.settings().index_base));
+    write(static_cast<Int>(t->object.settings().index_base));
 }
 
 }  // namespace mgdt

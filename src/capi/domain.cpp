@@ -3,35 +3,15 @@
 #include <algorithm>
 
 #include "capi/domain_handle.hpp"
+#include "capi/options.hpp"
 #include "core/point_scan.hpp"
 
 using namespace mgdt;
 
 namespace {
 
-constexpr std::size_t domain_size = sizeof(mgdt_domain), domain_align = alignof(mgdt_domain);
 // Indices have 32 bits, and the greatest is no index.
 constexpr std::size_t most_items = 0x7FFFFFFF;
-
-// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
-MGDT_NOT_INLINE mgdt_status create(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
-                                   mgdt_domain** out) noexcept {
-    const FpEnvironment environment;
-    void* const memory = Allocator::obtain(alloc, user, domain_size, domain_align);
-    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
-    auto* const d = new (memory) mgdt_domain(alloc, release, user);
-    d->domain.allocator().count(domain_size);
-    *out = d;
-    return MGDT_OK;
-}
-
-MGDT_NOT_INLINE void destroy(mgdt_domain* d) noexcept {
-    const FpEnvironment environment;
-    const mgdt_free_fn release = d->domain.allocator().release_function();
-    void* const user = d->domain.allocator().user();
-    d->~mgdt_domain();
-    Allocator::give_back(release, user, d, domain_size, domain_align);
-}
 
 std::size_t require_items(std::int64_t n, std::size_t each, const char* of) {
     const std::size_t count = require_count(n, of);
@@ -125,137 +105,80 @@ DomainInput::Place place(const double* xyz, std::int32_t marker) {
     return {{xyz[0], xyz[1], xyz[2]}, marker};
 }
 
-void set_option(Domain& d, std::int32_t option, std::int64_t value) {
-    const auto require = [&](bool is_in_range) {
-        if (!is_in_range)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
-                 static_cast<long long>(value), static_cast<int>(option));
-    };
-    switch (option) {
-        case MGDT_DOMAIN_INDEX_BASE:
-            require(value == 0 || value == 1);
-            d.settings().index_base = static_cast<std::int32_t>(value);
-            break;
-        case MGDT_DOMAIN_THREADS:
-            require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
-            d.settings().threads = static_cast<std::int32_t>(value);
-            break;
-        case MGDT_DOMAIN_MEMORY_LIMIT:
-            require(value >= 0);
-            d.allocator().set_limit(limit_of(value));
-            break;
-        case MGDT_DOMAIN_ROUND_POINTS:
-            require(value == 0 || value == 1);
-            d.settings().rounds_points = value != 0;
-            break;
-        case MGDT_DOMAIN_STRICT:
-            require(value == 0 || value == 1);
-            d.settings().is_strict = value != 0;
-            break;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-    }
-}
-
-std::int64_t option_of(const Domain& d, std::int32_t option) {
-    switch (option) {
-        case MGDT_DOMAIN_INDEX_BASE:
-            return d.settings().index_base;
-        case MGDT_DOMAIN_THREADS:
-            return d.settings().threads;
-        case MGDT_DOMAIN_MEMORY_LIMIT:
-            return static_cast<std::int64_t>(d.allocator().limit());
-        case MGDT_DOMAIN_ROUND_POINTS:
-            return d.settings().rounds_points ? 1 : 0;
-        case MGDT_DOMAIN_STRICT:
-            return d.settings().is_strict ? 1 : 0;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-    }
-}
+const Switches<DomainSettings> switches = {
+    {MGDT_DOMAIN_ROUND_POINTS, &DomainSettings::rounds_points},
+    {MGDT_DOMAIN_STRICT, &DomainSettings::is_strict}};
 
 }  // namespace
 
 extern "C" mgdt_status mgdt_domain_create(mgdt_domain** out) {
-    return mgdt_domain_create_with_allocator(nullptr, nullptr, nullptr, out);
+    return create_handle(out, nullptr, nullptr, nullptr);
 }
 
 extern "C" mgdt_status mgdt_domain_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
                                                          void* user, mgdt_domain** out) {
-    if (!out) return MGDT_ERR_NULL_POINTER;
-    *out = nullptr;
-    if ((alloc == nullptr) != (release == nullptr)) return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    return create(alloc, release, user, out);
+    return create_handle(out, alloc, release, user);
 }
 
 extern "C" void mgdt_domain_destroy(mgdt_domain* d) {
-    destroy_if_free(d, destroy);
+    destroy_handle(d);
 }
 
 extern "C" mgdt_status mgdt_domain_clear(mgdt_domain* d) {
-    return guard(d, [&] { d->domain.clear(); });
+    return guard(d, [&] { d->object.clear(); });
 }
 
 extern "C" mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int64_t value) {
-    return guard(d, [&] { set_option(d->domain, option, value); });
+    return set_option(d, option, value, switches);
 }
 
 extern "C" mgdt_status mgdt_domain_get_option(const mgdt_domain* d, int32_t option,
                                               int64_t* value) {
-    return guard_short(d, [&] {
-        require_pointer(value, "value");
-        *value = option_of(d->domain, option);
-    });
+    return get_option(d, option, value, switches);
 }
 
 extern "C" mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn fn, void* user) {
-    return guard(d, [&] {
-        d->domain.settings().progress = fn;
-        d->domain.settings().progress_user = user;
-    });
+    return set_progress(d, fn, user);
 }
 
 extern "C" mgdt_status mgdt_domain_cancel(mgdt_domain* d) {
-    if (!d) return MGDT_ERR_NULL_POINTER;
-    d->domain.cancel();
-    return MGDT_OK;
+    return cancel(d);
 }
 
 extern "C" mgdt_status mgdt_domain_set_points(mgdt_domain* d, int64_t n, const double* xyz) {
-    return guard(d, [&] { set_points(d->domain, n, xyz); });
+    return guard(d, [&] { set_points(d->object, n, xyz); });
 }
 
 extern "C" mgdt_status mgdt_domain_set_facets(mgdt_domain* d, int64_t n, const int64_t* offsets,
                                               const int64_t* corners, const int32_t* markers) {
-    return guard(d, [&] { set_facets(d->domain, n, offsets, corners, markers); });
+    return guard(d, [&] { set_facets(d->object, n, offsets, corners, markers); });
 }
 
 extern "C" mgdt_status mgdt_domain_set_segments(mgdt_domain* d, int64_t n, const int64_t* ends,
                                                 const int32_t* markers) {
-    return guard(d, [&] { set_segments(d->domain, n, ends, markers); });
+    return guard(d, [&] { set_segments(d->object, n, ends, markers); });
 }
 
 extern "C" mgdt_status mgdt_domain_add_region(mgdt_domain* d, const double* xyz, int32_t marker) {
-    return guard(d, [&] { d->domain.add_region(place(xyz, marker)); });
+    return guard(d, [&] { d->object.add_region(place(xyz, marker)); });
 }
 
 extern "C" mgdt_status mgdt_domain_add_hole(mgdt_domain* d, const double* xyz) {
-    return guard(d, [&] { d->domain.add_hole(place(xyz, 0)); });
+    return guard(d, [&] { d->object.add_hole(place(xyz, 0)); });
 }
 
 extern "C" mgdt_status mgdt_domain_validate(mgdt_domain* d) {
-    return guard(d, [&] { d->domain.validate(); });
+    return guard(d, [&] { d->object.validate(); });
 }
 
 extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d) {
-    return guard(d, [&] { d->domain.build(); });
+    return guard(d, [&] { d->object.build(); });
 }
 
 extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d) {
     return guard(d, [&] {
-        require_mesh(d->domain);
-        d->domain.check();
+        require_mesh(d->object);
+        d->object.check();
     });
 }
 

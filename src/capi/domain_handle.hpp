@@ -2,17 +2,12 @@
 // The handle of a domain behind the C interface.
 #pragma once
 
-#include "capi/guard.hpp"
+#include "capi/handle.hpp"
 #include "domain/domain.hpp"
 #include "mgdt/mgdt_domain.h"
 
-struct mgdt_domain : mgdt::HandleBase {
-    mgdt_domain(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
-        : domain(alloc, release, user) {}
-
-    bool has_callbacks() const noexcept { return domain.allocator().release_function() != nullptr; }
-
-    mgdt::Domain domain;
+struct mgdt_domain : mgdt::Handle<mgdt::Domain> {
+    using Handle::Handle;
 };
 
 namespace mgdt {

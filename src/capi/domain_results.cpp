@@ -158,38 +158,38 @@ void get_integers(const Domain& d, std::int32_t array, std::int64_t capacity, In
 extern "C" mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int64_t* value) {
     return guard(d, [&] {
         require_pointer(value, "value");
-        *value = static_cast<std::int64_t>(statistic(d->domain, key));
+        *value = static_cast<std::int64_t>(statistic(d->object, key));
     });
 }
 
 extern "C" mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, int64_t* size) {
     return guard(d, [&] {
         require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(size_of(d->domain, array));
+        *size = static_cast<std::int64_t>(size_of(d->object, array));
     });
 }
 
 extern "C" mgdt_status mgdt_domain_get_array(const mgdt_domain* d, int32_t array, int64_t capacity,
                                              int64_t* values) {
-    return guard(d, [&] { get_integers(d->domain, array, capacity, values); });
+    return guard(d, [&] { get_integers(d->object, array, capacity, values); });
 }
 
 extern "C" mgdt_status mgdt_domain_get_array_i32(const mgdt_domain* d, int32_t array,
                                                  int64_t capacity, int32_t* values) {
-    return guard(d, [&] { get_integers(d->domain, array, capacity, values); });
+    return guard(d, [&] { get_integers(d->object, array, capacity, values); });
 }
 
 extern "C" mgdt_status mgdt_domain_get_doubles(const mgdt_domain* d, int32_t array,
                                                int64_t capacity, double* values) {
     return guard(d, [&] {
-        const std::size_t size = size_of(d->domain, array);
+        const std::size_t size = size_of(d->object, array);
         if (!has_doubles(array))
             fail(MGDT_ERR_UNKNOWN_KEY, "array %d has integers, not doubles",
                  static_cast<int>(array));
         require_capacity(capacity, size, "values");
         if (size == 0) return;
         require_pointer(values, "values");
-        with_doubles(d->domain.mesh(), array, [&](const Buffer<double>& from) {
+        with_doubles(d->object.mesh(), array, [&](const Buffer<double>& from) {
             std::copy_n(from.begin(), from.size(), values);
         });
     });

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "query/tetrahedron_measures.hpp"
 
 using namespace mgdt;
@@ -44,12 +44,12 @@ mgdt_status run_export(const mgdt_triangulation* t, bool numbers, std::int64_t c
     return guard(
         t,
         [&] {
-            const auto [count, end] = extent(t->core);
+            const auto [count, end] = extent(t->object);
             if (count > 0) require_pointer(v, "the output array");
             require_capacity(capacity, static_cast<std::size_t>(count), "the output array");
             require_range<Int>(static_cast<std::uint64_t>(end), t);
             if (count == 0) return;
-            Team team(t->core.threads_for(static_cast<std::size_t>(count), min_items_per_thread));
+            Team team(t->object.threads_for(static_cast<std::size_t>(count), min_items_per_thread));
             body(view_of(team, t, numbers));
         },
         name);
@@ -102,7 +102,7 @@ mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v, con
         [](const Triangulation& core) {
             return Extent{point_count(core), point_count(core)};
         },
-        [&](const ExportView& view) { export_point_map(view, t->core.point_map(), v); }, name);
+        [&](const ExportView& view) { export_point_map(view, t->object.point_map(), v); }, name);
 }
 
 // The shape of a compressed list by points.
@@ -119,15 +119,15 @@ mgdt_status run_list_export(const mgdt_triangulation* t, std::int64_t offset_cap
     return guard(
         t,
         [&] {
-            const std::size_t points = t->core.point_map().size();
-            const auto [numbers, count, end] = shape(t->core);
+            const std::size_t points = t->object.point_map().size();
+            const auto [numbers, count, end] = shape(t->object);
             require_pointer(offsets, "offsets");
             if (count > 0) require_pointer(list, "list");
             require_capacity(offset_capacity, points + 1, "offsets");
             require_capacity(capacity, count, "list");
             // The last offset, which is `count`, has to fit too.
             require_range<Int>(std::max<std::uint64_t>(count + 1, end), t);
-            Team team(t->core.threads_for(count, min_items_per_thread));
+            Team team(t->object.threads_for(count, min_items_per_thread));
             body(view_of(team, t, numbers), points);
         },
         name);
@@ -196,12 +196,12 @@ extern "C" mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t
                                                      int64_t capacity, double* x) {
     return guard(t, [&] {
         const TetrahedronMeasure m = tetrahedron_measure_of(measure);
-        const auto count = static_cast<std::size_t>(tetrahedron_count(t->core));
+        const auto count = static_cast<std::size_t>(tetrahedron_count(t->object));
         if (count > 0) require_pointer(x, "the output array");
         require_capacity(capacity, count, "the output array");
         if (count == 0) return;
         constexpr std::size_t tetrahedra_per_thread = 4096;
-        Team team(t->core.threads_for(count, tetrahedra_per_thread));
+        Team team(t->object.threads_for(count, tetrahedra_per_thread));
         export_tetrahedron_measures(view_of(team, t, true), m, x);
     });
 }
@@ -209,7 +209,7 @@ extern "C" mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t
 extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
                                               double* xyz, double* radius2) {
     return guard(t, [&] {
-        const auto count = static_cast<std::size_t>(tetrahedron_count(t->core));
+        const auto count = static_cast<std::size_t>(tetrahedron_count(t->object));
         if (count > 0) require_pointer(xyz, "xyz");
         if (capacity < 0 || static_cast<std::uint64_t>(capacity) < count)
             fail(capacity < 0 ? MGDT_ERR_INVALID_ARGUMENT : MGDT_ERR_BUFFER_TOO_SMALL,
@@ -217,7 +217,7 @@ extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64
                  static_cast<long long>(capacity), count);
         if (count == 0) return;
         constexpr std::size_t tetrahedra_per_thread = 4096;
-        Team team(t->core.threads_for(count, tetrahedra_per_thread));
+        Team team(t->object.threads_for(count, tetrahedra_per_thread));
         export_circumcenters(view_of(team, t, true), xyz, radius2);
     });
 }

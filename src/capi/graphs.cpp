@@ -2,7 +2,7 @@
 #include "query/graphs.hpp"
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;
 
@@ -12,9 +12,9 @@ template <class Int>
 void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
     require_pointer(count, "count");
     require_capacity(capacity, 0, "the output array");
-    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
+    Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
     const EdgeLists edges =
-        gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->core)));
+        gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->object)));
     give_rows(t, 2, edges.size(), capacity, v, count, [&](Int base) {
         edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
                         std::size_t size) {
@@ -30,8 +30,9 @@ template <class Int>
 void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
     require_pointer(count, "count");
     require_capacity(capacity, 0, "the output array");
-    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
-    const Buffer<std::uint32_t> ends = spanning_tree(view_of(team, t, false), t->core.point_map());
+    Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
+    const Buffer<std::uint32_t> ends =
+        spanning_tree(view_of(team, t, false), t->object.point_map());
     give_rows(t, 2, ends.size() / 2, capacity, v, count, [&](Int base) {
         for (std::size_t i = 0; i < ends.size(); ++i) v[i] = static_cast<Int>(ends[i]) + base;
     });

@@ -71,85 +71,48 @@ class HandleBase {
     mutable char message_[Error::message_size] = {};
 };
 
-// Runs `body` for a handle that the call has entered and returns its status.
-//
-// The function is not inlined, because of threads with the asynchronous cancellation type. A
-// cancellation request that arrives during the call takes effect when the guards below restore the
-// cancellation state. The request unwinds the frames of the guards, which is possible because the
-// guards have nothing to clean up and are not noexcept.
-template <class Body>
-MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, Body& body) noexcept {
-    const FpEnvironment environment;
-    try {
-        body();
-        return MGDT_OK;
-    } catch (const Error& error) {
-        t->remember(error.message);
-        return error.status;
-    } catch (const std::bad_alloc&) {
-        t->remember("out of memory: the allocator or the memory limit refused");
-        return MGDT_ERR_OUT_OF_MEMORY;
-    } catch (...) {
-        t->remember("internal error");
-        return MGDT_ERR_INTERNAL;
-    }
-}
+// A function object without its type, so that the guards are compiled once.
+class Body {
+  public:
+    template <class F>
+    explicit Body(F& f) noexcept : call_([](void* of) { (*static_cast<F*>(of))(); }), of_(&f) {}
+    void operator()() const { call_(of_); }
+
+  private:
+    void (*call_)(void*);
+    void* of_;
+};
+
+// Run a body within a handle, and return its status: alone; together with others that read; and
+// without being counted (guard.cpp).
+mgdt_status guard_alone(HandleBase* t, const Body& body, const char* name);
+mgdt_status guard_together(const HandleBase* t, const Body& body, const char* name);
+mgdt_status guard_uncounted(const HandleBase* t, const Body& body, const char* name);
 
 // Runs a call that changes the handle.
-template <class Body>
-mgdt_status guard(HandleBase* t, Body body, const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    const CancellationDisabled uninterrupted;
-    if (!t->calls.try_enter_alone(name)) return t->refuse(name);
-    const mgdt_status status = run_inside(t, body);
-    t->calls.leave_alone();
-    return status;
+template <class F>
+mgdt_status guard(HandleBase* t, F body, const char* name = __builtin_FUNCTION()) {
+    return guard_alone(t, Body(body), name);
 }
 
 // Runs a call that reads the handle and may take long. Calls that change the handle are refused
 // meanwhile.
-template <class Body>
-mgdt_status guard(const HandleBase* t, Body body, const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    const CancellationDisabled uninterrupted;
-    if (!t->calls.try_enter_together()) return t->refuse(name);
-    const mgdt_status status = run_inside(t, body);
-    t->calls.leave_together();
-    return status;
+template <class F>
+mgdt_status guard(const HandleBase* t, F body, const char* name = __builtin_FUNCTION()) {
+    return guard_together(t, Body(body), name);
 }
 
 // Runs a call that reads the handle for about a microsecond. Such a call is not counted, since with
 // many threads counting would take a large part of its time. A call that runs callbacks is counted,
 // because callbacks may call the handle.
-template <class Handle, class Body>
-mgdt_status guard_short(const Handle* t, Body body, const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    if (t->has_callbacks()) return guard(t, body, name);
-    const CancellationDisabled uninterrupted;
-    if (t->calls.is_held_alone()) return t->refuse(name);
-    return run_inside(t, body);
-}
-
-// Destroys a handle, unless a call is inside of it, which would continue in freed memory.
-template <class Handle>
-void destroy_if_free(Handle* handle, void (*destroy)(Handle*) noexcept,
-                     const char* name = __builtin_FUNCTION()) {
-    if (!handle) return;
-    const CancellationDisabled uninterrupted;
-    if (handle->calls.try_enter_alone(name))
-        destroy(handle);
-    else
-        handle->refuse(name);
+template <class Handle, class F>
+mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FUNCTION()) {
+    return t && t->has_callbacks() ? guard_together(t, Body(body), name)
+                                   : guard_uncounted(t, Body(body), name);
 }
 
 // Copies the message of the last call that failed on the handle.
-inline mgdt_status get_message(const HandleBase* handle, std::int64_t capacity, char* buffer) {
-    if (!handle || !buffer) return MGDT_ERR_NULL_POINTER;
-    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    handle->recall(buffer, static_cast<std::size_t>(capacity));
-    return MGDT_OK;
-}
+mgdt_status get_message(const HandleBase* handle, std::int64_t capacity, char* buffer);
 
 inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);

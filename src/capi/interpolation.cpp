@@ -2,8 +2,8 @@
 #include "interpolation/interpolation.hpp"
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
 #include "capi/places.hpp"
+#include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;
 
@@ -73,8 +73,8 @@ void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outs
         require_pointer(points, "the array of points");
         require_pointer(to, "the array of weights");
     }
-    require_range<Int>(static_cast<std::uint64_t>(point_count(t->core)), t);
-    Team team(t->core.threads_for(count, places_per_thread));
+    require_range<Int>(static_cast<std::uint64_t>(point_count(t->object)), t);
+    Team team(t->object.threads_for(count, places_per_thread));
     const ExportView view = view_of(team, t, false);
     const std::size_t room = counts_alone ? 0 : static_cast<std::size_t>(capacity);
     std::size_t needed = 0;
@@ -95,13 +95,13 @@ extern "C" mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t met
     return guard(t, [&] {
         const Manner manner = require_manner(t, method, outside);
         const std::size_t count = require_places(n);
-        const auto points = static_cast<std::size_t>(point_count(t->core));
+        const auto points = static_cast<std::size_t>(point_count(t->object));
         const std::size_t fields = require_fields(n_fields, std::max(count, points));
         if (count == 0 || fields == 0) return;
         if (points > 0) require_pointer(values, "the array of values");
         require_pointer(xyz, "xyz");
         require_pointer(out, "the output array");
-        Team team(t->core.threads_for(count, places_per_thread));
+        Team team(t->object.threads_for(count, places_per_thread));
         interpolate(view_of(team, t, false), locator(t), manner, {fields, values},
                     finite_places(team, count, xyz, t), out);
     });
@@ -134,13 +134,14 @@ extern "C" mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n
                                           const double* values, double* out) {
     return guard(t, [&] {
         require_space(t, "gradients");
-        const auto points = static_cast<std::size_t>(point_count(t->core));
+        const auto points = static_cast<std::size_t>(point_count(t->object));
         const std::size_t fields = require_fields(n_fields, points);
         if (points == 0 || fields == 0) return;
         require_pointer(values, "the array of values");
         require_pointer(out, "the output array");
         constexpr std::size_t points_per_thread = 4096;
-        Team team(t->core.threads_for(points, points_per_thread));
-        gradients(view_of(team, t, false), locator(t), t->core.point_map(), {fields, values}, out);
+        Team team(t->object.threads_for(points, points_per_thread));
+        gradients(view_of(team, t, false), locator(t), t->object.point_map(), {fields, values},
+                  out);
     });
 }

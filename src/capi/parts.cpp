@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <functional>
 
+#include "capi/options.hpp"
 #include "capi/parts_handle.hpp"
 #include "core/point_scan.hpp"
 #include "platform/callback.hpp"
 
 using namespace mgdt;
 
-mgdt_parts::mgdt_parts(const mgdt_transport* transport, PartId parts, mgdt_alloc_fn alloc,
-                       mgdt_free_fn release, void* user)
-    : allocator(alloc, release, user),
-      transport_(transport ? static_cast<Transport*>(&callbacks_.emplace(*transport, allocator))
+PartsObject::PartsObject(const mgdt_transport* transport, PartId parts, mgdt_alloc_fn alloc,
+                         mgdt_free_fn release, void* user)
+    : allocator_(alloc, release, user),
+      transport_(transport ? static_cast<Transport*>(&callbacks_.emplace(*transport, allocator_))
                            : &in_process_.emplace(parts)),
       collective(*transport_),
-      given(allocator, transport_->local_parts(), std::ref(allocator)) {}
+      given(allocator_, transport_->local_parts(), std::ref(allocator_)) {}
 
-PartId mgdt_parts::local(std::int32_t part) const {
+PartId PartsObject::local(std::int32_t part) const {
     if (part == MGDT_PARTS_THIS_PART) {
         if (local_parts() == 1) return 0;
         fail(MGDT_ERR_INVALID_ARGUMENT,
@@ -30,42 +31,21 @@ PartId mgdt_parts::local(std::int32_t part) const {
     return static_cast<PartId>(local);
 }
 
-void mgdt_parts::forget_triangulation() noexcept {
+void PartsObject::forget_triangulation() noexcept {
     if (!triangulation) return;
     triangulation->~Parts();
-    allocator.release(triangulation, sizeof(Parts), alignof(Parts));
+    allocator_.release(triangulation, sizeof(Parts), alignof(Parts));
     triangulation = nullptr;
 }
 
 namespace {
 
-constexpr std::size_t parts_size = sizeof(mgdt_parts), parts_align = alignof(mgdt_parts);
 constexpr std::int32_t most_parts = 1 << 20;
 
-// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
-MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* transport, PartId parts,
-                                   mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
-                                   mgdt_parts** out) noexcept {
-    const FpEnvironment environment;
-    void* const memory = Allocator::obtain(alloc, user, parts_size, parts_align);
-    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
-    try {
-        mgdt_parts* const p = new (memory) mgdt_parts(transport, parts, alloc, release, user);
-        p->allocator.count(parts_size);
-        *out = p;
-        return MGDT_OK;
-    } catch (...) {
-        Allocator::give_back(release, user, memory, parts_size, parts_align);
-        return MGDT_ERR_OUT_OF_MEMORY;
-    }
-}
-
-MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
-    const mgdt_free_fn release = p->allocator.release_function();
-    void* const user = p->allocator.user();
-    const mgdt_transport transport = p->host_transport();
-    p->~mgdt_parts();
-    Allocator::give_back(release, user, p, parts_size, parts_align);
+// Not inlined, for the reason at run_inside() in guard.cpp.
+MGDT_NOT_INLINE void free_parts(mgdt_parts* p) noexcept {
+    const mgdt_transport transport = p->object.host_transport();
+    free_handle_in_environment(p);
     if (transport.destroy)
         call_back<std::int32_t>(0, [&] {
             transport.destroy(transport.user);
@@ -82,9 +62,9 @@ bool is_readable_transport(const mgdt_transport* from) noexcept {
                        [](unsigned char byte) { return byte == 0; });
 }
 
-void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
+void insert(PartsObject& p, std::int32_t part, std::int64_t n, const double* xyz,
             const std::int64_t* ids) {
-    mgdt_parts::Given& given = p.given[p.local(part)];
+    PartsObject::Given& given = p.given[p.local(part)];
     const std::size_t count = require_count(n);
     if (count == 0) return;
     require_pointer(xyz, "xyz");
@@ -92,7 +72,8 @@ void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
         fail(MGDT_ERR_TOO_LARGE, "%zu points are more than memory can hold", count);
     const std::size_t before = given.count();
     for (std::size_t i = 0; i < 3 * count; ++i)
-        require_finite(xyz[i], i % 3, static_cast<long long>(before + i / 3) + p.index_base);
+        require_finite(xyz[i], i % 3,
+                       static_cast<long long>(before + i / 3) + p.settings().index_base);
     if (before > 0 && given.has_ids() != (ids != nullptr))
         fail(MGDT_ERR_INVALID_ARGUMENT, "%s",
              ids ? "the points before these have no ids" : "the points before these have ids");
@@ -106,14 +87,14 @@ void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
 }
 
 // Checks that all processes have the same index base, and ids for all points or for none.
-void require_agreement(mgdt_parts& p) {
+void require_agreement(PartsObject& p) {
     constexpr std::uint64_t with_ids = 1, without_ids = 2, base_one = 4;
-    Buffer<std::uint64_t> mine(p.allocator), all(p.allocator);
-    for (const mgdt_parts::Given& given : p.given)
+    Buffer<std::uint64_t> mine(p.allocator()), all(p.allocator());
+    for (const PartsObject::Given& given : p.given)
         mine.push_back((given.count() == 0 ? 0
                         : given.has_ids()  ? with_ids
                                            : without_ids) |
-                       (p.index_base == 1 ? base_one : 0));
+                       (p.settings().index_base == 1 ? base_one : 0));
     p.collective.gather(mine, all);
     PartId first_with_ids = 0;
     while (first_with_ids < all.size() && (all[first_with_ids] & with_ids) == 0) ++first_with_ids;
@@ -128,32 +109,33 @@ void require_agreement(mgdt_parts& p) {
 }
 
 // Builds with Parts::build_each() if `visit` is given, else with Parts::build().
-void build(mgdt_parts& p, const Parts::Visit* visit) {
+void build(PartsObject& p, const Parts::Visit* visit) {
     p.forget_triangulation();
     const Error failure = std::exchange(p.failure, Error{MGDT_OK, ""});
     p.collective.each_local([&](PartId i) {
         if (failure.status != MGDT_OK && i == p.failed_part) throw failure;
     });
     require_agreement(p);
-    Buffer<GivenPoints> given(p.allocator);
-    Buffer<const std::int64_t*> ids(p.allocator);
-    for (const mgdt_parts::Given& g : p.given) {
+    Buffer<GivenPoints> given(p.allocator());
+    Buffer<const std::int64_t*> ids(p.allocator());
+    for (const PartsObject::Given& g : p.given) {
         given.push_back({g.xyz.data(), g.count()});
         ids.push_back(g.ids.data());
     }
-    const bool passes_through = p.allocator.limit() > 0 || p.has_callbacks();
-    void* const memory = p.allocator.allocate(sizeof(Parts), alignof(Parts));
+    const bool passes_through =
+        p.allocator().limit() > 0 || p.allocator().release_function() != nullptr;
+    void* const memory = p.allocator().allocate(sizeof(Parts), alignof(Parts));
     try {
         p.triangulation =
             new (memory) Parts(p.collective, passes_through ? Allocator::allocate_from : nullptr,
-                               passes_through ? Allocator::release_to : nullptr, &p.allocator);
+                               passes_through ? Allocator::release_to : nullptr, &p.allocator());
     } catch (...) {
-        p.allocator.release(memory, sizeof(Parts), alignof(Parts));
+        p.allocator().release(memory, sizeof(Parts), alignof(Parts));
         throw;
     }
     p.passes_through = passes_through;
-    p.triangulation->set_threads(p.threads);
-    StageProgress progress(p.progress, p.progress_user, p.cancelled);
+    p.triangulation->set_threads(p.settings().threads);
+    StageProgress progress(p.settings(), p.stop());
     const std::int64_t* const* const all_ids = p.has_ids ? ids.data() : nullptr;
     p.keeps_tetrahedra = visit == nullptr;
     if (visit)
@@ -163,15 +145,14 @@ void build(mgdt_parts& p, const Parts::Visit* visit) {
 }
 
 // Builds the triangulation. Frees what a failed build leaves.
-void run_build(mgdt_parts& p, const Parts::Visit* visit) {
+void run_build(PartsObject& p, const Parts::Visit* visit) {
+    const StopFlag::Call call(p.stop());
     try {
         p.collective.run([&] { build(p, visit); });
     } catch (...) {
         p.forget_triangulation();
-        p.cancelled.store(false, std::memory_order_relaxed);
         throw;
     }
-    p.cancelled.store(false, std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -185,10 +166,9 @@ extern "C" mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_allo
                                                         mgdt_parts** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    if (parts < 1 || parts > most_parts || (alloc == nullptr) != (release == nullptr))
-        return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    return create(nullptr, static_cast<PartId>(parts), alloc, release, user, out);
+    if (parts < 1 || parts > most_parts) return MGDT_ERR_INVALID_ARGUMENT;
+    const mgdt_transport* const none = nullptr;
+    return create_handle(out, alloc, release, user, none, static_cast<PartId>(parts));
 }
 
 extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
@@ -202,20 +182,20 @@ extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* tr
         return MGDT_ERR_NULL_POINTER;
     if (t.processes < 1 || t.processes > most_parts || t.process < 0 || t.process >= t.processes)
         return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    return create(transport, 1, nullptr, nullptr, nullptr, out);
+    return create_handle(out, nullptr, nullptr, nullptr, transport, PartId{1});
 }
 
 extern "C" void mgdt_parts_destroy(mgdt_parts* p) {
-    destroy_if_free(p, destroy);
+    destroy_handle(p, free_parts);
 }
 
 extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
     return guard(p, [&] {
-        p->cancelled.store(false, std::memory_order_relaxed);
-        p->forget_triangulation();
-        p->failure.status = MGDT_OK;
-        for (mgdt_parts::Given& given : p->given) {
+        PartsObject& parts = p->object;
+        parts.stop().forget();
+        parts.forget_triangulation();
+        parts.failure.status = MGDT_OK;
+        for (PartsObject::Given& given : parts.given) {
             given.xyz.reset();
             given.ids.reset();
         }
@@ -223,74 +203,33 @@ extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
 }
 
 extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_t value) {
-    return guard(p, [&] {
-        const auto require = [&](bool is_in_range) {
-            if (!is_in_range)
-                fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
-                     static_cast<long long>(value), static_cast<int>(option));
-        };
-        switch (option) {
-            case MGDT_PARTS_INDEX_BASE:
-                require(value == 0 || value == 1);
-                p->index_base = static_cast<std::int32_t>(value);
-                break;
-            case MGDT_PARTS_THREADS:
-                require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
-                p->threads = static_cast<std::int32_t>(value);
-                break;
-            case MGDT_PARTS_MEMORY_LIMIT:
-                require(value >= 0);
-                p->allocator.set_limit(limit_of(value));
-                break;
-            default:
-                fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-        }
-    });
+    return set_option(p, option, value);
 }
 
 extern "C" mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value) {
-    return guard_short(p, [&] {
-        require_pointer(value, "value");
-        switch (option) {
-            case MGDT_PARTS_INDEX_BASE:
-                *value = p->index_base;
-                break;
-            case MGDT_PARTS_THREADS:
-                *value = p->threads;
-                break;
-            case MGDT_PARTS_MEMORY_LIMIT:
-                *value = static_cast<std::int64_t>(p->allocator.limit());
-                break;
-            default:
-                fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-        }
-    });
+    return get_option(p, option, value);
 }
 
 extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user) {
-    return guard(p, [&] {
-        p->progress = fn;
-        p->progress_user = user;
-    });
+    return set_progress(p, fn, user);
 }
 
 extern "C" mgdt_status mgdt_parts_cancel(mgdt_parts* p) {
-    if (!p) return MGDT_ERR_NULL_POINTER;
-    p->cancelled.store(true, std::memory_order_relaxed);
-    return MGDT_OK;
+    return cancel(p);
 }
 
 extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64_t n,
                                                 const double* xyz, const int64_t* ids) {
     return guard(p, [&] {
+        PartsObject& parts = p->object;
         const auto remember = [&](const Error& error) {
-            p->failure = error;
-            const std::int64_t local = std::int64_t{part} - p->first_local();
-            p->failed_part =
-                local >= 0 && local < p->local_parts() ? static_cast<PartId>(local) : 0;
+            parts.failure = error;
+            const std::int64_t local = std::int64_t{part} - parts.first_local();
+            parts.failed_part =
+                local >= 0 && local < parts.local_parts() ? static_cast<PartId>(local) : 0;
         };
         try {
-            insert(*p, part, n, xyz, ids);
+            insert(parts, part, n, xyz, ids);
         } catch (const Error& error) {
             remember(error);
             throw;
@@ -302,14 +241,15 @@ extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int
 }
 
 extern "C" mgdt_status mgdt_parts_build(mgdt_parts* p) {
-    return guard(p, [&] { run_build(*p, nullptr); });
+    return guard(p, [&] { run_build(p->object, nullptr); });
 }
 
 extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, void* user) {
     return guard(p, [&] {
         require_pointer(reinterpret_cast<const void*>(look), "look");
-        if (p->local_parts() != p->collective.parts())
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the parts are in %u processes", p->collective.parts());
+        if (p->object.local_parts() != p->object.collective.parts())
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the parts are in %u processes",
+                 p->object.collective.parts());
         const auto show = [&](PartId i) {
             p->calls.let_read();
             const std::int32_t answer = call_back<std::int32_t>(
@@ -319,19 +259,19 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
         };
         // A function object with one reference allocates no memory.
         const Parts::Visit visit = [&show](PartId i) { show(i); };
-        run_build(*p, &visit);
+        run_build(p->object, &visit);
     });
 }
 
 extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
     return guard(p, [&] {
-        p->collective.run([&] {
+        p->object.collective.run([&] {
             if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
                      static_cast<int>(level));
-            if (!p->triangulation || !p->keeps_tetrahedra)
+            if (!p->object.triangulation || !p->object.keeps_tetrahedra)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
-            p->triangulation->check(level);
+            p->object.triangulation->check(level);
         });
     });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "capi/options.hpp"
 #include "capi/periodic_handle.hpp"
 #include "core/point_scan.hpp"
 #include "periodic/periodic_check.hpp"
@@ -10,34 +11,6 @@
 using namespace mgdt;
 
 namespace {
-
-constexpr std::size_t periodic_size = sizeof(mgdt_periodic),
-                      periodic_align = alignof(mgdt_periodic);
-
-// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
-MGDT_NOT_INLINE mgdt_status create(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
-                                   mgdt_free_fn release, void* user, mgdt_periodic** out) noexcept {
-    const FpEnvironment environment;
-    void* const memory = Allocator::obtain(alloc, user, periodic_size, periodic_align);
-    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
-    try {
-        auto* const p = new (memory) mgdt_periodic(dimensions, vectors, alloc, release, user);
-        p->box.allocator().count(periodic_size);
-        *out = p;
-        return MGDT_OK;
-    } catch (const Error& error) {
-        Allocator::give_back(release, user, memory, periodic_size, periodic_align);
-        return error.status;
-    }
-}
-
-MGDT_NOT_INLINE void destroy(mgdt_periodic* p) noexcept {
-    const FpEnvironment environment;
-    const mgdt_free_fn release = p->box.allocator().release_function();
-    void* const user = p->box.allocator().user();
-    p->~mgdt_periodic();
-    Allocator::give_back(release, user, p, periodic_size, periodic_align);
-}
 
 long long shown(const Periodic& p, std::uint64_t number) {
     return static_cast<long long>(number) + p.settings().index_base;
@@ -72,43 +45,6 @@ void move(Periodic& p, std::int64_t n, const std::int64_t* points, const double*
     p.move(count, numbers.begin(), xyz);
 }
 
-void set_option(Periodic& p, std::int32_t option, std::int64_t value) {
-    const auto require = [&](bool is_in_range) {
-        if (!is_in_range)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
-                 static_cast<long long>(value), static_cast<int>(option));
-    };
-    switch (option) {
-        case MGDT_PERIODIC_INDEX_BASE:
-            require(value == 0 || value == 1);
-            p.settings().index_base = static_cast<std::int32_t>(value);
-            break;
-        case MGDT_PERIODIC_THREADS:
-            require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
-            p.settings().threads = static_cast<std::int32_t>(value);
-            break;
-        case MGDT_PERIODIC_MEMORY_LIMIT:
-            require(value >= 0);
-            p.allocator().set_limit(limit_of(value));
-            break;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-    }
-}
-
-std::int64_t option_of(const Periodic& p, std::int32_t option) {
-    switch (option) {
-        case MGDT_PERIODIC_INDEX_BASE:
-            return p.settings().index_base;
-        case MGDT_PERIODIC_THREADS:
-            return p.settings().threads;
-        case MGDT_PERIODIC_MEMORY_LIMIT:
-            return static_cast<std::int64_t>(p.allocator().limit());
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
-    }
-}
-
 }  // namespace
 
 extern "C" mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vectors,
@@ -124,33 +60,28 @@ extern "C" mgdt_status mgdt_periodic_create_with_allocator(int32_t dimensions,
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
     if (!vectors) return MGDT_ERR_NULL_POINTER;
-    if (dimensions < 1 || dimensions > 3 || (alloc == nullptr) != (release == nullptr))
-        return MGDT_ERR_INVALID_ARGUMENT;
+    if (dimensions < 1 || dimensions > 3) return MGDT_ERR_INVALID_ARGUMENT;
     const auto count = static_cast<unsigned>(dimensions);
     if (!std::all_of(vectors, vectors + 3 * count, [](double x) { return std::isfinite(x); }))
         return MGDT_ERR_NOT_FINITE;
-    const CancellationDisabled uninterrupted;
-    return create(count, vectors, alloc, release, user, out);
+    return create_handle(out, alloc, release, user, count, vectors);
 }
 
 extern "C" void mgdt_periodic_destroy(mgdt_periodic* p) {
-    destroy_if_free(p, destroy);
+    destroy_handle(p);
 }
 
 extern "C" mgdt_status mgdt_periodic_clear(mgdt_periodic* p) {
-    return guard(p, [&] { p->box.clear(); });
+    return guard(p, [&] { p->object.clear(); });
 }
 
 extern "C" mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, int64_t value) {
-    return guard(p, [&] { set_option(p->box, option, value); });
+    return set_option(p, option, value);
 }
 
 extern "C" mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t option,
                                                 int64_t* value) {
-    return guard_short(p, [&] {
-        require_pointer(value, "value");
-        *value = option_of(p->box, option);
-    });
+    return get_option(p, option, value);
 }
 
 extern "C" mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double distance) {
@@ -158,49 +89,44 @@ extern "C" mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double
         if (!(distance >= 0) || !std::isfinite(distance))
             fail(MGDT_ERR_INVALID_ARGUMENT, "the distance is %g; it must be finite and at least 0",
                  distance);
-        p->box.settings().merge_distance = distance;
+        p->object.settings().merge_distance = distance;
     });
 }
 
 extern "C" mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, double* distance) {
     return guard_short(p, [&] {
         require_pointer(distance, "distance");
-        *distance = p->box.settings().merge_distance;
+        *distance = p->object.settings().merge_distance;
     });
 }
 
 extern "C" mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_fn fn,
                                                   void* user) {
-    return guard(p, [&] {
-        p->box.settings().progress = fn;
-        p->box.settings().progress_user = user;
-    });
+    return set_progress(p, fn, user);
 }
 
 extern "C" mgdt_status mgdt_periodic_cancel(mgdt_periodic* p) {
-    if (!p) return MGDT_ERR_NULL_POINTER;
-    p->box.cancel();
-    return MGDT_OK;
+    return cancel(p);
 }
 
 extern "C" mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, const double* xyz) {
-    return guard(p, [&] { insert(p->box, n, xyz); });
+    return guard(p, [&] { insert(p->object, n, xyz); });
 }
 
 extern "C" mgdt_status mgdt_periodic_move_points(mgdt_periodic* p, int64_t n, const int64_t* points,
                                                  const double* xyz) {
-    return guard(p, [&] { move(p->box, n, points, xyz); });
+    return guard(p, [&] { move(p->object, n, points, xyz); });
 }
 
 extern "C" mgdt_status mgdt_periodic_build(mgdt_periodic* p) {
-    return guard(p, [&] { p->box.build(); });
+    return guard(p, [&] { p->object.build(); });
 }
 
 extern "C" mgdt_status mgdt_periodic_check(const mgdt_periodic* p) {
     return guard(p, [&] {
-        require_triangulation(p->box);
-        const Periodic::Call call(p->box);
-        check_periodic(p->box, call.stop_request());
+        require_triangulation(p->object);
+        const StopFlag::Call call(p->object.stop());
+        check_periodic(p->object, p->object.stop().request());
     });
 }
 

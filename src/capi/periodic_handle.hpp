@@ -2,18 +2,12 @@
 // The handle of a periodic box behind the C interface.
 #pragma once
 
-#include "capi/guard.hpp"
+#include "capi/handle.hpp"
 #include "mgdt/mgdt_periodic.h"
 #include "periodic/periodic.hpp"
 
-struct mgdt_periodic : mgdt::HandleBase {
-    mgdt_periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
-                  mgdt_free_fn release, void* user)
-        : box(dimensions, vectors, alloc, release, user) {}
-
-    bool has_callbacks() const noexcept { return box.allocator().release_function() != nullptr; }
-
-    mgdt::Periodic box;
+struct mgdt_periodic : mgdt::Handle<mgdt::Periodic> {
+    using Handle::Handle;
 };
 
 namespace mgdt {

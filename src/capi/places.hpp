@@ -4,14 +4,14 @@
 
 #include <cstdint>
 
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "core/point_scan.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
 
 inline Locator locator(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.calls(), t->core.location_tree()};
+    return {t->object.mesh(), t->object.calls(), t->object.location_tree()};
 }
 
 inline std::size_t require_places(std::int64_t n) {
@@ -25,7 +25,7 @@ inline std::size_t require_places(std::int64_t n) {
 inline PointSet finite_places(Team& team, std::size_t n, const double* xyz,
                               const mgdt_triangulation* t) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    return PointScan(team, n, axis, 3, t->core.settings().index_base).point_set(n, axis, 3, 1);
+    return PointScan(team, n, axis, 3, t->object.settings().index_base).point_set(n, axis, 3, 1);
 }
 
 }  // namespace mgdt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;
 
@@ -10,7 +10,7 @@ extern "C" mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, cons
         if (count == 0) return;
         require_pointer(xyz, "xyz");
         const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-        t->core.insert(count, axis, 3);
+        t->object.insert(count, axis, 3);
     });
 }
 
@@ -28,7 +28,7 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
         if (step != stride && count > 1)  // only where std::ptrdiff_t has 32 bits
             fail(MGDT_ERR_INVALID_ARGUMENT, "a stride of %lld takes the points beyond all memory",
                  static_cast<long long>(stride));
-        t->core.insert(count, axis, step);
+        t->object.insert(count, axis, step);
     });
 }
 
@@ -36,7 +36,7 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
 namespace {
 
 const Triangulation* unchanging(const mgdt_triangulation* t) {
-    return t && !t->calls.is_held_alone() ? &t->core : nullptr;
+    return t && !t->calls.is_held_alone() ? &t->object : nullptr;
 }
 
 }  // namespace

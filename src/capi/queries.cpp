@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "capi/counts.hpp"
-#include "capi/handle.hpp"
 #include "capi/places.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "query/check.hpp"
 #include "query/locate_points.hpp"
 #include "query/segment_walk.hpp"
@@ -21,7 +21,7 @@ void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int
     if (count == 0) return;
     require_pointer(xyz, "xyz");
     require_pointer(out, "the output array");
-    Team team(t->core.threads_for(count, places_per_thread));
+    Team team(t->object.threads_for(count, places_per_thread));
     const PointSet places = finite_places(team, count, xyz, t);
     body(team, places);
 }
@@ -30,7 +30,7 @@ template <class Int>
 void locate(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* tetrahedra,
             double* weights) {
     answer(t, n, xyz, tetrahedra, [&](Team& team, const PointSet& places) {
-        require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->core)), t);
+        require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->object)), t);
         locate_points(view_of(team, t, true), locator(t), places, tetrahedra, weights);
     });
 }
@@ -38,7 +38,7 @@ void locate(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* tetr
 template <class Int>
 void nearest(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* vertices) {
     answer(t, n, xyz, vertices, [&](Team& team, const PointSet& places) {
-        require_range<Int>(static_cast<std::uint64_t>(point_count(t->core)), t);
+        require_range<Int>(static_cast<std::uint64_t>(point_count(t->object)), t);
         nearest_vertices(view_of(team, t, false), locator(t), places, vertices);
     });
 }
@@ -60,8 +60,8 @@ void traverse(const mgdt_triangulation* t, const double* a, const double* b, int
     copy_end(b, "b", ends[1]);
     require_pointer(count, "count");
     require_capacity(capacity, 0, "tetrahedra");
-    require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->core)), t);
-    const Traversal way = traverse_segment(locator(t), ends[0], ends[1], t->core.allocator());
+    require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->object)), t);
+    const Traversal way = traverse_segment(locator(t), ends[0], ends[1], t->object.allocator());
     const std::size_t found = way.tetrahedra.size();
     *count = static_cast<Int>(found);
     require_capacity(capacity, found, "tetrahedra");
@@ -135,8 +135,8 @@ extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
     return guard(t, [&] {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
-        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
-        check_triangulation(team, t->core.check_input(), t->core.allocator(), level,
-                            t->core.settings().index_base);
+        Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
+        check_triangulation(team, t->object.check_input(), t->object.allocator(), level,
+                            t->object.settings().index_base);
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "order/schemes.hpp"
 
 using namespace mgdt;
@@ -32,7 +32,7 @@ mgdt_status get(const mgdt_triangulation* t, T* value, Read read,
         t,
         [&] {
             require_pointer(value, "the output");
-            *value = static_cast<T>(read(t->core));
+            *value = static_cast<T>(read(t->object));
         },
         name);
 }
@@ -43,14 +43,14 @@ extern "C" mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t sche
     return guard(t, [&] {
         if (!find_order_scheme(scheme))
             fail(MGDT_ERR_UNKNOWN_SCHEME, "there is no order scheme %d", static_cast<int>(scheme));
-        t->core.settings().scheme = scheme;
+        t->object.settings().scheme = scheme;
     });
 }
 
 extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key, double value) {
     return guard(t, [&] {
         const OrderParameters by_default;
-        OrderParameters& order = t->core.settings().order;
+        OrderParameters& order = t->object.settings().order;
         switch (key) {
             case MGDT_PARAMETER_POINTS_PER_CELL:
                 order.points_per_cell = parameter_or(value, by_default.points_per_cell, 1, 1e6,
@@ -77,7 +77,7 @@ extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t k
 }
 
 extern "C" mgdt_status mgdt_set_seed(mgdt_triangulation* t, uint64_t seed) {
-    return guard(t, [&] { t->core.settings().order.seed = seed; });
+    return guard(t, [&] { t->object.settings().order.seed = seed; });
 }
 
 extern "C" mgdt_status mgdt_set_threads(mgdt_triangulation* t, int32_t n) {
@@ -85,12 +85,12 @@ extern "C" mgdt_status mgdt_set_threads(mgdt_triangulation* t, int32_t n) {
         if (n < 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "the number of threads is negative (%d)",
                  static_cast<int>(n));
-        t->core.settings().threads = n;
+        t->object.settings().threads = n;
     });
 }
 
 extern "C" mgdt_status mgdt_set_index_base(mgdt_triangulation* t, int32_t base) {
-    return guard(t, [&] { t->core.settings().index_base = flag(base, "the index base"); });
+    return guard(t, [&] { t->object.settings().index_base = flag(base, "the index base"); });
 }
 
 extern "C" mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t bytes) {
@@ -98,26 +98,20 @@ extern "C" mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t byte
         if (bytes < 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "the memory limit is negative (%lld)",
                  static_cast<long long>(bytes));
-        t->core.allocator().set_limit(limit_of(bytes));
+        t->object.allocator().set_limit(limit_of(bytes));
     });
 }
 
 extern "C" mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on) {
-    return guard(t, [&] { t->core.set_compact(flag(on, "compact storage")); });
+    return guard(t, [&] { t->object.set_compact(flag(on, "compact storage")); });
 }
 
 extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user) {
-    return guard(t, [&] {
-        t->core.settings().progress = fn;
-        t->core.settings().progress_user = user;
-    });
+    return set_progress(t, fn, user);
 }
 
-// The function only stores a flag, so any thread and any signal handler may call it.
 extern "C" mgdt_status mgdt_cancel(mgdt_triangulation* t) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    t->core.cancel();
-    return MGDT_OK;
+    return cancel(t);
 }
 
 extern "C" mgdt_status mgdt_set_isa(mgdt_triangulation* t, const char* name) {
@@ -126,14 +120,14 @@ extern "C" mgdt_status mgdt_set_isa(mgdt_triangulation* t, const char* name) {
         if (!kernel)
             fail(MGDT_ERR_INVALID_ARGUMENT,
                  "instruction set \"%.32s\" is unknown or not in this processor", name);
-        t->core.set_kernel(*kernel);
+        t->object.set_kernel(*kernel);
     });
 }
 
 extern "C" mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t on) {
     return guard(t, [&] {
-        t->core.settings().canonical_output = flag(on, "canonical output");
-        t->core.forget_numbering();
+        t->object.settings().canonical_output = flag(on, "canonical output");
+        t->object.forget_numbering();
     });
 }
 
@@ -158,11 +152,7 @@ extern "C" mgdt_status mgdt_get_order_parameter(const mgdt_triangulation* t, int
 
 extern "C" mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
                                          void** user) {
-    return guard_short(t, [&] {
-        require_pointer(reinterpret_cast<const void*>(fn), "the output");
-        *fn = t->core.settings().progress;
-        if (user) *user = t->core.settings().progress_user;
-    });
+    return get_progress(t, fn, user);
 }
 
 extern "C" mgdt_status mgdt_get_order_scheme(const mgdt_triangulation* t, int32_t* scheme) {

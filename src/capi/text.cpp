@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "order/schemes.hpp"
 
 using namespace mgdt;
@@ -147,7 +147,7 @@ extern "C" mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, d
         require_pointer(value, "value");
         const NamedStatistic* s = find_statistic(key);
         if (!s) fail(MGDT_ERR_UNKNOWN_KEY, "there is no statistic %d", static_cast<int>(key));
-        *value = s->value(t->core);
+        *value = s->value(t->object);
     });
 }
 
@@ -165,5 +165,5 @@ extern "C" int32_t mgdt_abi_version(void) {
 }
 
 extern "C" const char* mgdt_isa_name(const mgdt_triangulation* t) {
-    return t && !t->calls.is_held_alone() ? t->core.kernel().isa : "";
+    return t && !t->calls.is_held_alone() ? t->object.kernel().isa : "";
 }

@@ -40,7 +40,7 @@ void insert_points(State& state, std::size_t n, const double* const axis[3],
                          static_cast<long long>(first) + state.settings.index_base);
     if (n == 0) return;
 
-    const Progress::Call call(state.progress);
+    const StopFlag::Call call(state.progress.stop());
 
     state.points.map.grow(first + n);
     state.numbering.forget();

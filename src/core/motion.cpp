@@ -219,7 +219,7 @@ void move_points(State& state, const Buffer<std::uint32_t>& points, const double
         require_finite(xyz[i], i % 3,
                        static_cast<long long>(points[i / 3]) + state.settings.index_base);
 
-    const Progress::Call call(state.progress);
+    const StopFlag::Call call(state.progress.stop());
     Stopwatch watch(state.statistics.move_seconds);
     MovedPoints moved(state.allocator, n);
     const Locator locator{state.mesh, state.calls(), nullptr};

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <new>
 
-#include "core/settings.hpp"
-#include "platform/atomic.hpp"
+#include "platform/call_settings.hpp"
 #include "platform/error.hpp"
 #include "platform/stop_request.hpp"
 
@@ -16,35 +15,19 @@ namespace mgdt {
 class Progress {
   public:
     // Each report calls the function that `settings` names at that time.
-    explicit Progress(const Settings& settings) noexcept : settings_(settings) {}
+    explicit Progress(const CallSettings& settings) noexcept : settings_(settings) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     // The number of points between two checks for a request to stop.
     static constexpr std::size_t poll_interval = 1024;
 
-    // Asks the running call to stop. Any thread may call this function.
-    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-    void forget_request() noexcept { cancelled_.store(false, std::memory_order_relaxed); }
-    StopRequest stop_request() const noexcept { return StopRequest(cancelled_); }
-    bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+    StopFlag& stop() noexcept { return stop_; }
+    bool is_cancelled() const noexcept { return stop_.is_set(); }
     // Tells the caller that `done` of `total` points are done. The caller may cancel.
     void report(std::size_t done, std::size_t total);
     // Forgets a request to stop, and throws MGDT_ERR_CANCELLED if there was one.
     void stop_if_cancelled(std::size_t done, std::size_t total);
-
-    // A request to stop concerns only the running call: the destructor forgets the request, however
-    // the call ends.
-    class Call {
-      public:
-        explicit Call(Progress& progress) noexcept : progress_(progress) {}
-        ~Call() { progress_.forget_request(); }
-        Call(const Call&) = delete;
-        Call& operator=(const Call&) = delete;
-
-      private:
-        Progress& progress_;
-    };
 
     // Calls step(k), which makes a change, for k = first, ..., n - 1 until a step returns false.
     // Reports progress. The message of an error says that done(k) of the caller's `total` points
@@ -54,8 +37,8 @@ class Progress {
                            Step step);
 
   private:
-    const Settings& settings_;
-    Atomic<bool> cancelled_{false};
+    const CallSettings& settings_;
+    StopFlag stop_;
 };
 
 template <class Done, class Step>

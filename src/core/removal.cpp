@@ -126,7 +126,7 @@ void remove_points(State& state, const Buffer<std::uint32_t>& points) {
     state.points.require_in(points, "removed", state.settings.index_base);
     const std::size_t n = points.size();
     if (n == 0) return;
-    const Progress::Call call(state.progress);
+    const StopFlag::Call call(state.progress.stop());
     const Stopwatch watch(state.statistics.remove_seconds);
     state.numbering.forget();
     state.walk_starts.expect_changes(n);

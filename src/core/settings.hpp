@@ -7,17 +7,14 @@
 
 #include "mgdt/mgdt.h"
 #include "order/schedule.hpp"
+#include "platform/call_settings.hpp"
 
 namespace mgdt {
 
-struct Settings {
+struct Settings : CallSettings {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     OrderParameters order;
-    std::int32_t threads = 1;  // 0: all cores
-    std::int32_t index_base = 0;
     bool canonical_output = false;
-    mgdt_progress_fn progress = nullptr;
-    void* progress_user = nullptr;
 };
 
 // Whether threads insert in zones (core/zones.hpp).

@@ -9,11 +9,13 @@ namespace mgdt {
 
 class StageProgress {
   public:
-    StageProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
-        : tell_(tell), user_(user), cancelled_(cancelled) {}
+    // Reports to the function that the settings name now.
+    StageProgress(const CallSettings& settings, StopFlag& stop)
+        : StageProgress(settings.progress, settings.progress_user, stop) {}
 
     // For a call within the call, which reports nothing and may be cancelled.
-    StageProgress quiet() const { return {nullptr, nullptr, cancelled_}; }
+    StageProgress quiet() const { return {nullptr, nullptr, stop_}; }
+    StopRequest stop_request() const noexcept { return stop_.request(); }
     // Passes this share of what remains. Stages that are entered later, from 0 to 1, divide the
     // rest.
     void leave_behind(double share) { begin_ += share * (1 - begin_); }
@@ -47,6 +49,9 @@ class StageProgress {
     }
 
   private:
+    StageProgress(mgdt_progress_fn tell, void* user, StopFlag& stop)
+        : tell_(tell), user_(user), stop_(stop) {}
+
     struct Share {
         StageProgress& progress;
         double first, count;
@@ -58,13 +63,13 @@ class StageProgress {
     bool tell(double fraction) {
         const double whole = from_ + fraction * (to_ - from_);
         if (tell_ && call_back<std::int32_t>(1, [&] { return tell_(whole, user_); }) != 0)
-            cancelled_.store(true, std::memory_order_relaxed);
-        return cancelled_.load(std::memory_order_relaxed);
+            stop_.set();
+        return stop_.is_set();
     }
 
     mgdt_progress_fn tell_;
     void* user_;
-    Atomic<bool>& cancelled_;
+    StopFlag& stop_;
     double begin_ = 0, from_ = 0, to_ = 0;
 };
 

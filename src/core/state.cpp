@@ -31,7 +31,7 @@ unsigned State::threads_for(std::size_t work, std::size_t min_per_thread) const 
 }
 
 void State::clear() noexcept {
-    progress.forget_request();
+    progress.stop().forget();
     numbering.forget();
     walk_starts.clear();
     mesh.clear();

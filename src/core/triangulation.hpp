@@ -40,11 +40,8 @@ class Triangulation {
     // Chooses whether spheres are computed when they are needed (`compact`) or stored. Throws
     // std::bad_alloc with nothing changed if there is no memory to store the spheres.
     void set_compact(bool compact);
-    void cancel() noexcept { state_.progress.cancel(); }
-    // For a long call that only reads: what it has to look at, until the object that
-    // call_to_cancel() returns is destroyed.
-    StopRequest stop_request() const noexcept { return state_.progress.stop_request(); }
-    Progress::Call call_to_cancel() const noexcept { return Progress::Call(state_.progress); }
+    // Stops the running calls, those that only read included.
+    StopFlag& stop() const noexcept { return state_.progress.stop(); }
 
     // The number of threads for a call with this much work.
     unsigned threads_for(std::size_t work, std::size_t min_per_thread) const noexcept {

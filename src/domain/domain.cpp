@@ -16,15 +16,6 @@ const char* name_of(Offence::Kind kind) {
     return kind == Offence::facet ? "facet" : kind == Offence::segment ? "segment" : "point";
 }
 
-// Calls a function when the scope ends.
-template <class F>
-struct AtEnd {
-    F f;
-    ~AtEnd() { f(); }
-};
-template <class F>
-AtEnd(F) -> AtEnd<F>;
-
 // How much work the division of the segments may take (split_segments()). A unit takes about a
 // microsecond. All surfaces of tests/models.sh stay below.
 std::uint64_t most_work(std::size_t points, bool may_take_long) {
@@ -35,7 +26,7 @@ std::uint64_t most_work(std::size_t points, bool may_take_long) {
 }  // namespace
 
 void Domain::clear() noexcept {
-    cancelled_.store(false, std::memory_order_relaxed);
+    stop_.forget();
     forget_results();
     input_ = DomainInput(allocator_);
 }
@@ -93,7 +84,7 @@ unsigned Domain::threads() const noexcept {
 }
 
 void Domain::validate() {
-    const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
+    const StopFlag::Call call(stop_);
     forget_results();
     const Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
@@ -105,7 +96,7 @@ void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const 
     const Boundary& boundary = complex.boundary;
     Team team(threads());
     const Buffer<OffendingPair> pairs =
-        offending_pairs(boundary, team, allocator_, StopRequest(cancelled_));
+        offending_pairs(boundary, team, allocator_, stop_.request());
     const auto item = [&](std::size_t i) -> Offence::Item {
         const std::size_t triangles = boundary.triangles.size() / 3,
                           segments = boundary.segments.size() / 2;
@@ -185,8 +176,8 @@ void Domain::round(const RoundingGrid& grid, Complex& complex) {
 }
 
 void Domain::build() {
-    StageProgress progress(settings_.progress, settings_.progress_user, cancelled_);
-    const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
+    const StopFlag::Call call(stop_);
+    StageProgress progress(settings_, stop_);
     forget_results();
     try {
         run(progress);
@@ -264,7 +255,7 @@ void Domain::run(StageProgress& progress) {
 // more finely than doubles can, there is no mesh, and the result is its ends.
 Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
                               Complex complex, StageProgress& progress) {
-    const StopRequest stop(cancelled_);
+    const StopRequest stop = stop_.request();
     forget_mesh();
     progress.enter(0, 0.1);
     round(grid, complex);

@@ -15,13 +15,10 @@
 
 namespace mgdt {
 
-struct DomainSettings {
-    std::int32_t index_base = 0, threads = 1;
+struct DomainSettings : CallSettings {
     bool rounds_points = false;
     bool is_strict = false;            // refuses a mesh that leaves out what was set
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
-    mgdt_progress_fn progress = nullptr;
-    void* progress_user = nullptr;
 };
 
 // Two of the caller's facets, segments or points that do not meet in a common face. A bad one is
@@ -75,7 +72,7 @@ class Domain {
     void clear() noexcept;
     // Removes the mesh, the offences and the open edges.
     void forget_results() noexcept;
-    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    StopFlag& stop() const noexcept { return stop_; }
 
     Allocator& allocator() const noexcept { return allocator_; }
     DomainSettings& settings() noexcept { return settings_; }
@@ -117,7 +114,7 @@ class Domain {
     bool has_mesh_ = false;
     FacetCounts facet_counts_;
     std::size_t planar_facets_ = 0;
-    Atomic<bool> cancelled_{false};
+    mutable StopFlag stop_;
 };
 
 }  // namespace mgdt

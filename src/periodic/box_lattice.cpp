@@ -235,14 +235,4 @@ std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of
     return of_callers;
 }
 
-double BoxLattice::largest_multiple_of_callers(double of_basis) const {
-    double largest = 0;
-    for (unsigned j = 0; j < 3; ++j) {
-        double sum = 0;
-        for (unsigned k = 0; k < 3; ++k) sum += std::fabs(static_cast<double>(transform_[k][j]));
-        largest = std::max(largest, sum * of_basis);
-    }
-    return largest;
-}
-
 }  // namespace mgdt

@@ -62,8 +62,6 @@ class BoxLattice {
     // caller's vectors.
     std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
 
-    // An upper bound on these, but for rounding, for multiples of the basis up to one.
-    double largest_multiple_of_callers(double of_basis) const;
     // The caller's vector k, of rounded_to() after rounding.
     const double* callers_vector(unsigned k) const { return given_[k]; }
 

@@ -19,7 +19,7 @@ Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn all
       halo_(allocator_) {}
 
 void Periodic::clear() noexcept {
-    cancelled_.store(false, std::memory_order_relaxed);
+    stop_.forget();
     given_.reset();
     used_images_.reset();
     former_taken_.reset();
@@ -118,14 +118,14 @@ void Periodic::wrap(Buffer<double>& wrapped) {
 }
 
 void Periodic::build() {
-    const Call call(*this);
-    StageProgress progress(settings_.progress, settings_.progress_user, cancelled_);
+    const StopFlag::Call call(stop_);
+    StageProgress progress(settings_, stop_);
     forget_results();
     try {
         progress.enter(0, 0);
         Buffer<double> wrapped(allocator_);
         wrap(wrapped);
-        const StopRequest stop = call.stop_request();
+        const StopRequest stop = stop_.request();
         Buffer<Image> expected(allocator_);
         find_expected_images(expected);
         if (expected.empty())
@@ -153,14 +153,6 @@ void Periodic::rounded(std::uint32_t point, double* x) const {
 void Periodic::rounded_vector(std::uint32_t k, double* x) const {
     const double* const vector = grid_->lattice().callers_vector(k);
     for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(vector[c]);
-}
-
-double Periodic::largest_offset() const {
-    std::int32_t most = 0;
-    for (const Multiples& taken : taken_)
-        for (const std::int32_t k : taken) most = std::max(most, std::abs(k));
-    return grid_->lattice().largest_multiple_of_callers(has_one_shift_ ? 256.0
-                                                                       : 256.0 + 2.0 * most);
 }
 
 std::size_t Periodic::vertex_count() const {

@@ -12,11 +12,8 @@
 
 namespace mgdt {
 
-struct PeriodicSettings {
-    std::int32_t index_base = 0, threads = 1;
+struct PeriodicSettings : CallSettings {
     double merge_distance = 0;  // in units of the caller
-    mgdt_progress_fn progress = nullptr;
-    void* progress_user = nullptr;
 };
 
 class Periodic {
@@ -37,21 +34,7 @@ class Periodic {
     void build();
     // Removes the points and the triangulation.
     void clear() noexcept;
-    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-
-    // While it exists, a call can be stopped by cancel(). The destructor forgets the request,
-    // however the call ends.
-    class Call {
-      public:
-        explicit Call(const Periodic& periodic) noexcept : cancelled_(periodic.cancelled_) {}
-        ~Call() { cancelled_.store(false, std::memory_order_relaxed); }
-        Call(const Call&) = delete;
-        Call& operator=(const Call&) = delete;
-        StopRequest stop_request() const { return StopRequest(cancelled_); }
-
-      private:
-        Atomic<bool>& cancelled_;
-    };
+    StopFlag& stop() const noexcept { return stop_; }
 
     Allocator& allocator() const noexcept { return allocator_; }
     PeriodicSettings& settings() noexcept { return settings_; }
@@ -90,8 +73,6 @@ class Periodic {
     // Whether all points were moved into the box by the same multiples, so that offset_from() does
     // not depend on points.
     bool has_one_shift() const { return has_one_shift_; }
-    // No offset of an image or of a neighbour is larger, but for rounding.
-    double largest_offset() const;
     // The multiples of the basis by which a point was moved into the box.
     const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
@@ -120,7 +101,7 @@ class Periodic {
     mutable Cached<PeriodicTetrahedra> tetrahedra_{allocator_};
     mutable Cached<VertexNeighbors> neighbors_{allocator_};
     bool has_triangulation_ = false, has_one_shift_ = true;
-    mutable Atomic<bool> cancelled_{false};
+    mutable StopFlag stop_;
 };
 
 }  // namespace mgdt

@@ -38,8 +38,8 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
     });
     mgdt::InProcess transport(parts);
     mgdt::Collective collective(transport);
-    mgdt::Atomic<bool> cancelled{false};
-    mgdt::StageProgress progress(nullptr, nullptr, cancelled);
+    mgdt::StopFlag cancelled;
+    mgdt::StageProgress progress(mgdt::CallSettings(), cancelled);
     mgdt::Parts all(collective, nullptr, nullptr, nullptr);
     const double of_parts = bench::processor_seconds(
         [&] { collective.run([&] { all.build(given.data(), nullptr, progress); }); });

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "../property/handle.hpp"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "faults.h"
 
 namespace faults {
@@ -80,8 +80,8 @@ class Story {
         EXPECT_EQ(mgdt_set_threads(t, threads), MGDT_OK);
         EXPECT_EQ(mgdt_set_order_scheme(t, scheme), MGDT_OK);
         if (share == 0) return;
-        t->core.hooks().min_points_per_thread = share;
-        t->core.hooks().zones = mgdt::ZoneUse::always;
+        t->object.hooks().min_points_per_thread = share;
+        t->object.hooks().zones = mgdt::ZoneUse::always;
     }
     mgdt_triangulation* handle() const { return handle_.get(); }
 

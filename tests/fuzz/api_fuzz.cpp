@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "../reproduction.h"
-#include "capi/handle.hpp"
+#include "capi/triangulation_handle.hpp"
 #include "comparison.hpp"
 #include "counted_memory.hpp"
 #include "wrong_calls.hpp"
@@ -132,9 +132,9 @@ class Calls {
     void set_threads() {
         const unsigned b = in_.byte();
         ok(mgdt_set_threads(t_, 1 + static_cast<std::int32_t>(b & 3)));
-        t_->core.hooks().min_points_per_thread = 1 + (b >> 2 & 15);
-        t_->core.hooks().pause = b & 64 ? pause : nullptr;
-        t_->core.hooks().zones = b & 128 ? mgdt::ZoneUse::always : mgdt::ZoneUse::never;
+        t_->object.hooks().min_points_per_thread = 1 + (b >> 2 & 15);
+        t_->object.hooks().pause = b & 64 ? pause : nullptr;
+        t_->object.hooks().zones = b & 128 ? mgdt::ZoneUse::always : mgdt::ZoneUse::never;
         set_isa(t_, in_.byte());
     }
 

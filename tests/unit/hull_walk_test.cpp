@@ -69,9 +69,8 @@ class HullWalk : public testing::TestWithParam<std::size_t> {
     std::vector<int> visits(const Meets& meets) {
         std::vector<int> count(mesh().tetrahedra.size());
         Allocator allocator;
-        Atomic<bool> cancelled{false};
-        walk_from_hull(mesh(), allocator, StopRequest(cancelled), meets,
-                       [&](TetId i) { ++count[i]; });
+        StopFlag cancelled;
+        walk_from_hull(mesh(), allocator, cancelled.request(), meets, [&](TetId i) { ++count[i]; });
         return count;
     }
 

@@ -18,8 +18,8 @@ struct Merged : Periodic {
         settings().merge_distance = distance;
         insert(points.size() / 3, points.data());
         build();
-        Atomic<bool> cancelled{false};
-        check_periodic(*this, StopRequest(cancelled));
+        StopFlag cancelled;
+        check_periodic(*this, cancelled.request());
     }
 };
 

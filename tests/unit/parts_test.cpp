@@ -67,7 +67,7 @@ struct Built {
           collective(transport),
           all(collective, nullptr, nullptr, nullptr),
           dealt(xyz, parts, to_one),
-          progress(nullptr, nullptr, cancelled) {
+          progress(CallSettings(), cancelled) {
         collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
     }
     void check() {
@@ -78,7 +78,7 @@ struct Built {
     Collective collective;
     Parts all;
     Dealt dealt;
-    Atomic<bool> cancelled{false};
+    StopFlag cancelled;
     StageProgress progress;
 };
 
@@ -404,8 +404,8 @@ std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, bool to_one
             try {
                 collective.run([&] {
                     Parts mine(collective, Memory::take, Memory::give_back, &memory);
-                    Atomic<bool> cancelled{false};
-                    StageProgress progress(nullptr, nullptr, cancelled);
+                    StopFlag cancelled;
+                    StageProgress progress(CallSettings(), cancelled);
                     mine.build(&dealt.given[p], nullptr, progress);
                     const Part& part = mine.local(0);
                     all[p].own_points = part.own_count();
@@ -540,8 +540,8 @@ TEST(Parts, StopWhereTheTransportFails) {
         try {
             collective.run([&] {
                 Parts all(collective, nullptr, nullptr, nullptr);
-                Atomic<bool> cancelled{false};
-                StageProgress progress(nullptr, nullptr, cancelled);
+                StopFlag cancelled;
+                StageProgress progress(CallSettings(), cancelled);
                 all.build(dealt.given.data(), nullptr, progress);
             });
             EXPECT_GT(calls, 20);

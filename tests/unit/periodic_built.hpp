@@ -38,8 +38,8 @@ struct Built : Periodic {
           box(vectors) {
         insert(points.size() / 3, points.data());
         build();
-        Atomic<bool> cancelled{false};
-        check_periodic(*this, StopRequest(cancelled));
+        StopFlag cancelled;
+        check_periodic(*this, cancelled.request());
     }
     std::array<double, 3> place(std::uint32_t point, const std::array<std::int64_t, 3>& of) const {
         double x[3];

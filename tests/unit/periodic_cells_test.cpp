@@ -257,7 +257,7 @@ TEST(Periodic, MovesAndRefuses) {
     EXPECT_EQ(built.vertex_of(0), 0u);
     EXPECT_EQ(built.vertex_of(1), 0u);
     EXPECT_EQ(built.vertex_of(2), 2u);
-    built.cancel();
+    built.stop().set();
     EXPECT_THROW(built.build(), Error);
     built.build();
 }
@@ -308,8 +308,8 @@ TEST(Periodic, StepsMayUnitePoints) {
             std::copy_n(points.begin() + 3 * (i % 5), 3, points.begin() + 15);
             built.move(1, &moving, points.data() + 15);
             built.build();
-            Atomic<bool> cancelled{false};
-            check_periodic(built, StopRequest(cancelled));
+            StopFlag cancelled;
+            check_periodic(built, cancelled.request());
             const Built fresh(box, points);
             expect_same_tetrahedra(built, fresh);
         }

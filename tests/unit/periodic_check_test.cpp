@@ -45,9 +45,9 @@ struct Built : Periodic {
     std::string complaint(const Records& records) const {
         Buffer<Record> all(allocator());
         for (const Record& record : records) all.push_back(record);
-        Atomic<bool> cancelled{false};
+        StopFlag cancelled;
         try {
-            check_periodic(*this, all, StopRequest(cancelled));
+            check_periodic(*this, all, cancelled.request());
         } catch (const Error& e) {
             EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED);
             EXPECT_STRNE(e.message, "");

@@ -21,8 +21,8 @@ using Place = std::array<double, 3>;
 
 struct Diagram : VoronoiDiagram {
     explicit Diagram(const Built& built) : VoronoiDiagram(built.allocator()) {
-        Atomic<bool> cancelled{false};
-        build_periodic_diagram(built, StopRequest(cancelled), *this);
+        StopFlag cancelled;
+        build_periodic_diagram(built, cancelled.request(), *this);
     }
 };
 

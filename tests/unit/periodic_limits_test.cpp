@@ -58,8 +58,8 @@ struct Built : Periodic {
     Built(const Vectors& vectors, const std::vector<double>& points) : Built(vectors) {
         insert(points.size() / 3, points.data());
         build();
-        Atomic<bool> cancelled{false};
-        check_periodic(*this, StopRequest(cancelled));
+        StopFlag cancelled;
+        check_periodic(*this, cancelled.request());
     }
 };
 
@@ -290,9 +290,9 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
         try {
             built.build();
             EXPECT_EQ(built.tetrahedra().size(), expected.size());
-            Atomic<bool> cancelled{false};
+            StopFlag cancelled;
             VoronoiDiagram diagram(built.allocator());
-            build_periodic_diagram(built, StopRequest(cancelled), diagram);
+            build_periodic_diagram(built, cancelled.request(), diagram);
             if (refusal.left >= 0) break;
             continue;  // what was refused was not necessary
         } catch (const std::bad_alloc&) {
@@ -338,9 +338,9 @@ TEST(Periodic, PredictedImagesChangeNothing) {
             Buffer<double> wrapped(allocator);
             for (std::uint32_t i = 0; i < points.size() / 3; ++i)
                 for (unsigned c = 0; c < 3; ++c) wrapped.push_back(built.halo().point(i)[c]);
-            Atomic<bool> cancelled{false};
-            StageProgress progress(nullptr, nullptr, cancelled);
-            const StopRequest stop(cancelled);
+            StopFlag cancelled;
+            StageProgress progress(CallSettings(), cancelled);
+            const StopRequest stop = cancelled.request();
             Buffer<Image> predicted(allocator);
             predict_images(built.grid(), wrapped, 1, progress, stop, predicted);
             Halo halo(allocator);
@@ -433,7 +433,7 @@ TEST(Periodic, CancelWithin) {
         Watch& w = *static_cast<Watch*>(user);
         EXPECT_GE(done, w.last);
         w.last = done;
-        if (++w.calls == w.cancel_at) w.built->cancel();
+        if (++w.calls == w.cancel_at) w.built->stop().set();
         return 0;
     };
     built.settings().progress_user = &watch;
@@ -455,14 +455,14 @@ TEST(Periodic, CancelWithin) {
 
 TEST(PeriodicDiagram, IsSetAnewByEachBuild) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    Atomic<bool> cancelled{false};
+    StopFlag cancelled;
     const Built many(cube, points_in(cube, 50, 3)), few(cube, points_in(cube, 3, 3));
     VoronoiDiagram diagram(many.allocator());
-    build_periodic_diagram(many, StopRequest(cancelled), diagram);
+    build_periodic_diagram(many, cancelled.request(), diagram);
     const std::size_t faces = diagram.face_count();
-    build_periodic_diagram(few, StopRequest(cancelled), diagram);
+    build_periodic_diagram(few, cancelled.request(), diagram);
     EXPECT_EQ(diagram.cell_count(), 3u);
-    build_periodic_diagram(many, StopRequest(cancelled), diagram);
+    build_periodic_diagram(many, cancelled.request(), diagram);
     EXPECT_EQ(diagram.face_count(), faces);
     EXPECT_EQ(diagram.face_images.size(), 3 * faces);
 }
@@ -472,9 +472,9 @@ TEST(PeriodicDiagram, SlabsHaveRays) {
     const Vectors slab = {1, 0, 0, 0, 1, 0};
     std::vector<double> points = points_in(slab, 200, 9);
     const Built built(slab, points);
-    Atomic<bool> cancelled{false};
+    StopFlag cancelled;
     VoronoiDiagram diagram(built.allocator());
-    build_periodic_diagram(built, StopRequest(cancelled), diagram);
+    build_periodic_diagram(built, cancelled.request(), diagram);
     std::vector<double> volumes(200);
     export_periodic_measures(built, Measure::volume, volumes.data());
     std::size_t unbounded = 0;

@@ -115,13 +115,13 @@ struct Wrapped {
 template <class Visit>
 void with_halo(const Wrapped& wrapped, const Visit& visit) {
     Allocator allocator;
-    Atomic<bool> cancelled{false};
-    StageProgress progress(nullptr, nullptr, cancelled);
+    StopFlag cancelled;
+    StageProgress progress(CallSettings(), cancelled);
     Buffer<double> points(allocator);
     for (const double x : wrapped.coordinates) points.push_back(x);
     Halo halo(allocator);
     halo.build(wrapped.grid, std::move(points), Buffer<Image>(allocator), 1, progress,
-               StopRequest(cancelled));
+               cancelled.request());
     visit(halo);
 }
 

@@ -265,7 +265,7 @@ TEST(RemovalBudgets, EndNearTheTimeOfARebuild) {
 struct StopAtLargeBlock {
     static inline Triangulation* asks = nullptr;
     static void* alloc(std::size_t size, std::size_t align, void*) {
-        if (asks && size > 70000) asks->cancel();
+        if (asks && size > 70000) asks->stop().set();
         return ::operator new(size, std::align_val_t(align), std::nothrow);
     }
 };
@@ -416,7 +416,7 @@ TEST(AbsentPoints, AreForgottenAndTheOthersKeepTheirOrder) {
 TEST(AbsentPoints, OfAnInsertionThatWasStopped) {
     const auto t = empty();
     insert(*t, {0, 0, 0});
-    t->cancel();
+    t->stop().set();
     EXPECT_THROW(insert(*t, {1e5, 1e-5, 3}), Error);
     EXPECT_EQ(t->point_map().size(), 2u);
     t->forget_absent_points();

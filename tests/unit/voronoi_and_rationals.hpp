@@ -28,7 +28,7 @@ class OwnDiagram {
         Team team(threads);
         const ExportView view = {team, t.mesh(), nullptr, allocator_, 0, false};
         const Region region(allocator_, planes.size() / 4, planes.data(), t.mesh(), 0);
-        build_voronoi(view, region, xyz.size() / 3, 0, t.stop_request(), diagram_);
+        build_voronoi(view, region, xyz.size() / 3, 0, t.stop().request(), diagram_);
         diagram_.planes.resize(planes.size());
         std::copy(planes.begin(), planes.end(), diagram_.planes.begin());
     }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Options by key: those that all handles have, and switches of one handle.
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+
+#include "capi/handle.hpp"
+
+namespace mgdt {
+
+// The keys that the options of all handles have: MGDT_PARTS_INDEX_BASE and so on.
+enum CommonOption : std::int32_t {
+    option_index_base = 10,
+    option_threads = 20,
+    option_memory_limit = 30
+};
+
+// An option of a handle that is 0 or 1.
+template <class Settings>
+struct Switch {
+    std::int32_t key;
+    bool Settings::*value;
+};
+template <class Settings>
+using Switches = std::initializer_list<Switch<Settings>>;
+
+template <class Object, class Settings>
+void set_option(Object& object, const Switches<Settings>& switches, std::int32_t key,
+                std::int64_t value) {
+    const auto require_up_to = [&](std::int64_t most) {
+        if (value < 0 || value > most)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
+                 static_cast<long long>(value), static_cast<int>(key));
+    };
+    switch (key) {
+        case option_index_base:
+            require_up_to(1);
+            object.settings().index_base = static_cast<std::int32_t>(value);
+            return;
+        case option_threads:
+            require_up_to(std::numeric_limits<std::int32_t>::max());
+            object.settings().threads = static_cast<std::int32_t>(value);
+            return;
+        case option_memory_limit:
+            require_up_to(std::numeric_limits<std::int64_t>::max());
+            object.allocator().set_limit(limit_of(value));
+            return;
+        default:
+            break;
+    }
+    for (const Switch<Settings>& s : switches)
+        if (s.key == key) {
+            require_up_to(1);
+            object.settings().*s.value = value != 0;
+            return;
+        }
+    fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(key));
+}
+
+template <class Object, class Settings>
+std::int64_t option_of(const Object& object, const Switches<Settings>& switches, std::int32_t key) {
+    switch (key) {
+        case option_index_base:
+            return object.settings().index_base;
+        case option_threads:
+            return object.settings().threads;
+        case option_memory_limit:
+            return static_cast<std::int64_t>(object.allocator().limit());
+        default:
+            break;
+    }
+    for (const Switch<Settings>& s : switches)
+        if (s.key == key) return object.settings().*s.value ? 1 : 0;
+    fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(key));
+}
+
+// The bodies of the functions that set and get an option.
+template <class H, class Settings = CallSettings>
+mgdt_status set_option(H* handle, std::int32_t key, std::int64_t value,
+                       const Switches<Settings>& switches = {},
+                       const char* name = __builtin_FUNCTION()) {
+    return guard(
+        handle, [&] { set_option(handle->object, switches, key, value); }, name);
+}
+template <class H, class Settings = CallSettings>
+mgdt_status get_option(const H* handle, std::int32_t key, std::int64_t* value,
+                       const Switches<Settings>& switches = {},
+                       const char* name = __builtin_FUNCTION()) {
+    return guard_short(
+        handle,
+        [&] {
+            require_pointer(value, "value");
+            *value = option_of(handle->object, switches, key);
+        },
+        name);
+}
+
+}  // namespace mgdt
