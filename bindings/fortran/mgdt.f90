@@ -78,24 +78,31 @@ module mgdt
               mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
               mgdt_voronoi_cell_centroids, mgdt_voronoi_cell_face_areas, &
               mgdt_voronoi_cell_neighbor_distances
+    public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
+              mgdt_mesh_option_memory_limit
+    public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
+              mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
+              mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, mgdt_mesh_stat_grid_bits, &
+              mgdt_mesh_stat_unused_points, mgdt_mesh_stat_unused_faces, &
+              mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
+              mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &
+              mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity
+    public :: mgdt_mesh_array_point_origins, mgdt_mesh_array_tetrahedra, &
+              mgdt_mesh_array_neighbors, mgdt_mesh_array_tetrahedron_regions, &
+              mgdt_mesh_array_region_markers, mgdt_mesh_array_faces, &
+              mgdt_mesh_array_face_tetrahedra, mgdt_mesh_array_face_facets, &
+              mgdt_mesh_array_face_markers, mgdt_mesh_array_edges, &
+              mgdt_mesh_array_edge_segments, mgdt_mesh_array_edge_markers, &
+              mgdt_mesh_array_steiner_edges, mgdt_mesh_array_points, &
+              mgdt_mesh_array_steiner_parameters
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
-    public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
-              mgdt_domain_round_points, mgdt_domain_strict
-    public :: mgdt_domain_given_points, mgdt_domain_given_facets, mgdt_domain_given_segments, &
-              mgdt_domain_memory_bytes, mgdt_domain_open_edges, mgdt_domain_steiner_points, &
-              mgdt_domain_tetrahedra, mgdt_domain_regions, mgdt_domain_faces, &
-              mgdt_domain_is_rounded, mgdt_domain_grid_bits, mgdt_domain_unused_points, &
-              mgdt_domain_unused_faces, mgdt_domain_unused_regions, mgdt_domain_unused_holes, &
-              mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
-              mgdt_domain_largest_cavity
-    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
-              mgdt_domain_array_tetrahedra, mgdt_domain_array_neighbors, &
-              mgdt_domain_array_regions, mgdt_domain_array_region_markers, &
-              mgdt_domain_array_faces, mgdt_domain_array_face_tetrahedra, &
-              mgdt_domain_array_face_facets, mgdt_domain_array_face_markers, &
-              mgdt_domain_array_segments, mgdt_domain_array_segment_sources, &
-              mgdt_domain_array_segment_markers, mgdt_domain_array_steiner_edges, &
-              mgdt_domain_array_points, mgdt_domain_array_steiner_parameters
+    public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
+              mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &
+              mgdt_domain_option_strict
+    public :: mgdt_domain_stat_points, mgdt_domain_stat_facets, mgdt_domain_stat_segments, &
+              mgdt_domain_stat_regions, mgdt_domain_stat_holes, mgdt_domain_stat_memory_bytes, &
+              mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges
     public :: mgdt_periodic_index_base, mgdt_periodic_threads, mgdt_periodic_memory_limit
     public :: mgdt_periodic_given_points, mgdt_periodic_memory_bytes, mgdt_periodic_dimensions, &
               mgdt_periodic_vertices, mgdt_periodic_tetrahedra, mgdt_periodic_edges, &

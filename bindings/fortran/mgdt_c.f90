@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_mesh.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
 !
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
@@ -419,6 +419,14 @@ module mgdt_c
             import :: c_ptr
             type(c_ptr), value :: v
         end subroutine
+        function c_voronoi_array_info(array, columns, is_double) result(status) &
+            bind(c, name='mgdt_voronoi_array_info')
+            import :: c_int32_t
+            integer(c_int32_t), value :: array
+            integer(c_int32_t), intent(inout) :: columns
+            integer(c_int32_t), intent(inout) :: is_double
+            integer(c_int32_t) :: status
+        end function
         function c_voronoi_get_size(v, array, size) result(status) &
             bind(c, name='mgdt_voronoi_get_size')
             import :: c_int32_t, c_int64_t, c_ptr
@@ -448,6 +456,100 @@ module mgdt_c
             bind(c, name='mgdt_voronoi_get_error')
             import :: c_char, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: v
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
+        subroutine c_mesh_destroy(m) bind(c, name='mgdt_mesh_destroy')
+            import :: c_ptr
+            type(c_ptr), value :: m
+        end subroutine
+        function c_mesh_set_option(m, option, value) result(status) &
+            bind(c, name='mgdt_mesh_set_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_option(m, option, value) result(status) &
+            bind(c, name='mgdt_mesh_get_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_progress(m, fn, user) result(status) &
+            bind(c, name='mgdt_mesh_set_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_progress(m, fn, user) result(status) &
+            bind(c, name='mgdt_mesh_get_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_cancel(m) result(status) bind(c, name='mgdt_mesh_cancel')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_stat(m, key, value) result(status) bind(c, name='mgdt_mesh_get_stat')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: key
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_array_info(array, columns, is_double) result(status) &
+            bind(c, name='mgdt_mesh_array_info')
+            import :: c_int32_t
+            integer(c_int32_t), value :: array
+            integer(c_int32_t), intent(inout) :: columns
+            integer(c_int32_t), intent(inout) :: is_double
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_size(m, array, size) result(status) bind(c, name='mgdt_mesh_get_size')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), intent(inout) :: size
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_doubles(m, array, capacity, values) result(status) &
+            bind(c, name='mgdt_mesh_get_doubles')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_tetrahedron_measures(m, measure, capacity, x) result(status) &
+            bind(c, name='mgdt_mesh_get_tetrahedron_measures')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: measure
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: x(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_check(m) result(status) bind(c, name='mgdt_mesh_check')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_error(m, capacity, buffer) result(status) &
+            bind(c, name='mgdt_mesh_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
             integer(c_int64_t), value :: capacity
             character(kind=c_char), intent(inout) :: buffer(*)
             integer(c_int32_t) :: status
@@ -499,6 +601,14 @@ module mgdt_c
             type(c_ptr), value :: user
             integer(c_int32_t) :: status
         end function
+        function c_domain_get_progress(d, fn, user) result(status) &
+            bind(c, name='mgdt_domain_get_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
+            integer(c_int32_t) :: status
+        end function
         function c_domain_cancel(d) result(status) bind(c, name='mgdt_domain_cancel')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: d
@@ -512,37 +622,20 @@ module mgdt_c
             real(c_double), intent(in) :: xyz(*)
             integer(c_int32_t) :: status
         end function
-        function c_domain_set_facets(d, n, offsets, corners, markers) result(status) &
-            bind(c, name='mgdt_domain_set_facets')
-            import :: c_int32_t, c_int64_t, c_ptr
+        function c_domain_set_regions(d, n, xyz, markers) result(status) &
+            bind(c, name='mgdt_domain_set_regions')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: d
             integer(c_int64_t), value :: n
-            type(c_ptr), value :: offsets
-            integer(c_int64_t), intent(in) :: corners(*)
+            real(c_double), intent(in) :: xyz(*)
             type(c_ptr), value :: markers
             integer(c_int32_t) :: status
         end function
-        function c_domain_set_segments(d, n, ends, markers) result(status) &
-            bind(c, name='mgdt_domain_set_segments')
-            import :: c_int32_t, c_int64_t, c_ptr
+        function c_domain_set_holes(d, n, xyz) result(status) bind(c, name='mgdt_domain_set_holes')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: d
             integer(c_int64_t), value :: n
-            integer(c_int64_t), intent(in) :: ends(*)
-            type(c_ptr), value :: markers
-            integer(c_int32_t) :: status
-        end function
-        function c_domain_add_region(d, xyz, marker) result(status) &
-            bind(c, name='mgdt_domain_add_region')
-            import :: c_double, c_int32_t, c_ptr
-            type(c_ptr), value :: d
-            real(c_double), intent(in) :: xyz(3)
-            integer(c_int32_t), value :: marker
-            integer(c_int32_t) :: status
-        end function
-        function c_domain_add_hole(d, xyz) result(status) bind(c, name='mgdt_domain_add_hole')
-            import :: c_double, c_int32_t, c_ptr
-            type(c_ptr), value :: d
-            real(c_double), intent(in) :: xyz(3)
+            real(c_double), intent(in) :: xyz(*)
             integer(c_int32_t) :: status
         end function
         function c_domain_validate(d) result(status) bind(c, name='mgdt_domain_validate')
@@ -550,14 +643,16 @@ module mgdt_c
             type(c_ptr), value :: d
             integer(c_int32_t) :: status
         end function
-        function c_domain_build(d) result(status) bind(c, name='mgdt_domain_build')
+        function c_domain_build(d, out) result(status) bind(c, name='mgdt_domain_build')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: d
+            type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: status
         end function
-        function c_domain_check(d) result(status) bind(c, name='mgdt_domain_check')
+        function c_domain_check(d, mesh) result(status) bind(c, name='mgdt_domain_check')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: d
+            type(c_ptr), value :: mesh
             integer(c_int32_t) :: status
         end function
         function c_domain_get_stat(d, key, value) result(status) &
@@ -568,21 +663,20 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: value
             integer(c_int32_t) :: status
         end function
+        function c_domain_array_info(array, columns, is_double) result(status) &
+            bind(c, name='mgdt_domain_array_info')
+            import :: c_int32_t
+            integer(c_int32_t), value :: array
+            integer(c_int32_t), intent(inout) :: columns
+            integer(c_int32_t), intent(inout) :: is_double
+            integer(c_int32_t) :: status
+        end function
         function c_domain_get_size(d, array, size) result(status) &
             bind(c, name='mgdt_domain_get_size')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: d
             integer(c_int32_t), value :: array
             integer(c_int64_t), intent(inout) :: size
-            integer(c_int32_t) :: status
-        end function
-        function c_domain_get_doubles(d, array, capacity, values) result(status) &
-            bind(c, name='mgdt_domain_get_doubles')
-            import :: c_double, c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: d
-            integer(c_int32_t), value :: array
-            integer(c_int64_t), value :: capacity
-            real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: status
         end function
         function c_domain_get_error(d, capacity, buffer) result(status) &
@@ -660,6 +754,14 @@ module mgdt_c
             type(c_ptr), value :: user
             integer(c_int32_t) :: status
         end function
+        function c_periodic_get_progress(p, fn, user) result(status) &
+            bind(c, name='mgdt_periodic_get_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
+            integer(c_int32_t) :: status
+        end function
         function c_periodic_cancel(p) result(status) bind(c, name='mgdt_periodic_cancel')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: p
@@ -673,7 +775,16 @@ module mgdt_c
             real(c_double), intent(in) :: xyz(*)
             integer(c_int32_t) :: status
         end function
-        function c_periodic_move_points(p, n, points, xyz) result(status) &
+        function c_periodic_move_points_i32(p, n, points, xyz) result(status) &
+            bind(c, name='mgdt_periodic_move_points_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: points
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_move_points_i64(p, n, points, xyz) result(status) &
             bind(c, name='mgdt_periodic_move_points')
             import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: p
@@ -698,6 +809,14 @@ module mgdt_c
             type(c_ptr), value :: p
             integer(c_int32_t), value :: key
             integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_array_info(array, columns, is_double) result(status) &
+            bind(c, name='mgdt_periodic_array_info')
+            import :: c_int32_t
+            integer(c_int32_t), value :: array
+            integer(c_int32_t), intent(inout) :: columns
+            integer(c_int32_t), intent(inout) :: is_double
             integer(c_int32_t) :: status
         end function
         function c_periodic_get_size(p, array, size) result(status) &
@@ -1149,6 +1268,71 @@ module mgdt_c
             integer(c_int32_t), value :: array
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_get_array
+        function c_mesh_get_array_i32(m, array, capacity, values) result(status) &
+            bind(c, name='mgdt_mesh_get_array_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_array_i64(m, array, capacity, values) result(status) &
+            bind(c, name='mgdt_mesh_get_array')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_domain_set_facets
+        function c_domain_set_facets_i32(d, n, offsets, corners, markers) result(status) &
+            bind(c, name='mgdt_domain_set_facets_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: offsets
+            integer(c_int32_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_facets_i64(d, n, offsets, corners, markers) result(status) &
+            bind(c, name='mgdt_domain_set_facets')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: offsets
+            integer(c_int64_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_domain_set_segments
+        function c_domain_set_segments_i32(d, n, ends, markers) result(status) &
+            bind(c, name='mgdt_domain_set_segments_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: ends(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_segments_i64(d, n, ends, markers) result(status) &
+            bind(c, name='mgdt_domain_set_segments')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: ends(*)
+            type(c_ptr), value :: markers
             integer(c_int32_t) :: status
         end function
     end interface

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_mesh.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
 !
 ! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
 ! those of the header; stat= has the values of a status.
@@ -272,6 +272,92 @@ module mgdt_constants
     ! coordinate.
     integer, parameter :: mgdt_voronoi_cell_neighbor_distances = 73
 
+    ! Options.
+    ! 0 or 1, at first that of the domain. It applies to indices that are read later.
+    integer, parameter :: mgdt_mesh_option_index_base = 10
+    ! Threads, see mgdt_set_threads(), at first those of the domain; 0 for all cores.
+    integer, parameter :: mgdt_mesh_option_threads = 20
+    ! Bytes that the handle may hold, at first the limit of the domain; 0 for no limit.
+    integer, parameter :: mgdt_mesh_option_memory_limit = 30
+
+    ! Numbers.
+    ! Points, Steiner points included.
+    integer, parameter :: mgdt_mesh_stat_points = 100
+    ! Points that the library has added.
+    integer, parameter :: mgdt_mesh_stat_steiner_points = 101
+    ! Tetrahedra.
+    integer, parameter :: mgdt_mesh_stat_tetrahedra = 102
+    ! Regions.
+    integer, parameter :: mgdt_mesh_stat_regions = 103
+    ! Faces that are parts of facets.
+    integer, parameter :: mgdt_mesh_stat_faces = 104
+    ! Edges that are parts of segments or of facets' edges.
+    integer, parameter :: mgdt_mesh_stat_edges = 105
+    ! Memory that the handle holds.
+    integer, parameter :: mgdt_mesh_stat_memory_bytes = 110
+    ! 1 if the points that are returned are rounded.
+    integer, parameter :: mgdt_mesh_stat_is_rounded = 120
+    ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
+    ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
+    integer, parameter :: mgdt_mesh_stat_grid_bits = 121
+    ! Points that were set and are neither a corner of a tetrahedron nor equal to one.
+    integer, parameter :: mgdt_mesh_stat_unused_points = 130
+    ! Faces at which there is no tetrahedron: their facets bound nothing and are outside.
+    integer, parameter :: mgdt_mesh_stat_unused_faces = 131
+    ! Places of mgdt_domain_set_regions() that are in no region of the mesh.
+    integer, parameter :: mgdt_mesh_stat_unused_regions = 132
+    ! Places of mgdt_domain_set_holes() that are in nothing that the facets enclose.
+    integer, parameter :: mgdt_mesh_stat_unused_holes = 133
+    ! Facets, where those in one plane are joined. This number and the next three describe steps of
+    ! the algorithm; they may be 0 in later versions.
+    integer, parameter :: mgdt_mesh_stat_planar_facets = 140
+    ! Joined facets that the Delaunay triangulation of all points lacks.
+    integer, parameter :: mgdt_mesh_stat_missing_facets = 141
+    ! Parts of that triangulation that were filled anew.
+    integer, parameter :: mgdt_mesh_stat_cavities = 142
+    ! The most tetrahedra in one of them.
+    integer, parameter :: mgdt_mesh_stat_largest_cavity = 143
+
+    ! Arrays.
+    ! For each point the point of the domain that it is, of equal ones the first; none for a Steiner
+    ! point.
+    integer, parameter :: mgdt_mesh_array_point_origins = 200
+    ! Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
+    ! tetrahedra are sorted by their corners.
+    integer, parameter :: mgdt_mesh_array_tetrahedra = 210
+    ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. None means that
+    ! the domain ends there.
+    integer, parameter :: mgdt_mesh_array_neighbors = 211
+    ! The region of each tetrahedron.
+    integer, parameter :: mgdt_mesh_array_tetrahedron_regions = 212
+    ! The marker of each region: that of the last place of mgdt_domain_set_regions() inside of it,
+    ! or 0.
+    integer, parameter :: mgdt_mesh_array_region_markers = 220
+    ! Three corners for each face of the mesh that is a part of a facet. They turn in the same
+    ! direction as those of the facet.
+    integer, parameter :: mgdt_mesh_array_faces = 230
+    ! The two tetrahedra at each face: first the one from which the corners appear counter-
+    ! clockwise, then the other one.
+    integer, parameter :: mgdt_mesh_array_face_tetrahedra = 231
+    ! The facet that each face is a part of; of facets that are joined, the first one.
+    integer, parameter :: mgdt_mesh_array_face_facets = 232
+    ! The marker of this facet.
+    integer, parameter :: mgdt_mesh_array_face_markers = 233
+    ! Two ends for each edge of the mesh that is a part of a segment, or of an edge of facets that
+    ! does not lie inside of a joined facet.
+    integer, parameter :: mgdt_mesh_array_edges = 240
+    ! The segment that the caller has set and that each of these edges is a part of, or none.
+    integer, parameter :: mgdt_mesh_array_edge_segments = 241
+    ! The marker of this segment, or 0.
+    integer, parameter :: mgdt_mesh_array_edge_markers = 242
+    ! For each Steiner point the two points a and b that it is between. Later versions may add
+    ! Steiner points that are between no two points: then a and b are none.
+    integer, parameter :: mgdt_mesh_array_steiner_edges = 250
+    ! Three coordinates of each point: first the points that were set, then the Steiner points.
+    integer, parameter :: mgdt_mesh_array_points = 300
+    ! For each Steiner point the number t for which it is a + t (b - a).
+    integer, parameter :: mgdt_mesh_array_steiner_parameters = 310
+
     ! Kinds.
     integer, parameter :: mgdt_domain_kind_facet = 0
     integer, parameter :: mgdt_domain_kind_segment = 1
@@ -280,102 +366,45 @@ module mgdt_constants
 
     ! Options.
     ! 0 (default) or 1. It applies to indices that are given or read later.
-    integer, parameter :: mgdt_domain_index_base = 10
+    integer, parameter :: mgdt_domain_option_index_base = 10
     ! Threads, see mgdt_set_threads(); default 1, 0 for all cores.
-    integer, parameter :: mgdt_domain_threads = 20
+    integer, parameter :: mgdt_domain_option_threads = 20
     ! Bytes that the handle may hold; 0 (default) for no limit.
-    integer, parameter :: mgdt_domain_memory_limit = 30
+    integer, parameter :: mgdt_domain_option_memory_limit = 30
     ! 1 to return rounded points always, so that facets and segments are covered exactly by what is
-    ! returned; 0 (default) to return the caller's points where possible.
-    integer, parameter :: mgdt_domain_round_points = 40
+    ! returned; 0 (default) to return the caller's points where possible (mgdt_mesh.h).
+    integer, parameter :: mgdt_domain_option_round_points = 40
     ! 1 to refuse a mesh that leaves out a part of what was set; 0 (default) to count what is left
-    ! out (MGDT_DOMAIN_UNUSED_POINTS and the numbers after it).
-    integer, parameter :: mgdt_domain_strict = 50
+    ! out (MGDT_MESH_STAT_UNUSED_POINTS and the statistics after it).
+    integer, parameter :: mgdt_domain_option_strict = 50
 
     ! Numbers.
     ! Points that were set.
-    integer, parameter :: mgdt_domain_given_points = 10
+    integer, parameter :: mgdt_domain_stat_points = 100
     ! Facets that were set.
-    integer, parameter :: mgdt_domain_given_facets = 11
+    integer, parameter :: mgdt_domain_stat_facets = 101
     ! Segments that were set.
-    integer, parameter :: mgdt_domain_given_segments = 12
+    integer, parameter :: mgdt_domain_stat_segments = 102
+    ! Places of regions that were set.
+    integer, parameter :: mgdt_domain_stat_regions = 103
+    ! Places of holes that were set.
+    integer, parameter :: mgdt_domain_stat_holes = 104
     ! Memory that the handle holds.
-    integer, parameter :: mgdt_domain_memory_bytes = 15
-    ! Edges that one facet alone has: see MGDT_DOMAIN_ARRAY_OPEN_EDGES.
-    integer, parameter :: mgdt_domain_open_edges = 16
-    ! Points that the build has added.
-    integer, parameter :: mgdt_domain_steiner_points = 20
-    ! Tetrahedra of the mesh.
-    integer, parameter :: mgdt_domain_tetrahedra = 21
-    ! Regions of the mesh.
-    integer, parameter :: mgdt_domain_regions = 22
-    ! Faces of the mesh that are parts of facets.
-    integer, parameter :: mgdt_domain_faces = 23
-    ! 1 if the points that are returned are rounded.
-    integer, parameter :: mgdt_domain_is_rounded = 24
-    ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
-    ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
-    integer, parameter :: mgdt_domain_grid_bits = 25
-    ! Points that were set and are neither a corner of a tetrahedron nor equal to one.
-    integer, parameter :: mgdt_domain_unused_points = 26
-    ! Faces at which there is no tetrahedron: their facets bound nothing and are outside.
-    integer, parameter :: mgdt_domain_unused_faces = 27
-    ! Calls of mgdt_domain_add_region() with a place in no region of the mesh.
-    integer, parameter :: mgdt_domain_unused_regions = 28
-    ! Calls of mgdt_domain_add_hole() with a place in nothing that the facets enclose.
-    integer, parameter :: mgdt_domain_unused_holes = 29
-    ! Facets, where those in one plane are joined.
-    integer, parameter :: mgdt_domain_planar_facets = 30
-    ! Of these, those that the Delaunay triangulation of all points lacks.
-    integer, parameter :: mgdt_domain_missing_facets = 31
-    ! Parts of it that were filled anew.
-    integer, parameter :: mgdt_domain_cavities = 32
-    ! The most tetrahedra in one of them.
-    integer, parameter :: mgdt_domain_largest_cavity = 33
+    integer, parameter :: mgdt_domain_stat_memory_bytes = 110
+    ! Pairs in MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS.
+    integer, parameter :: mgdt_domain_stat_offending_pairs = 120
+    ! Edges in MGDT_DOMAIN_ARRAY_OPEN_EDGES.
+    integer, parameter :: mgdt_domain_stat_open_edges = 121
 
     ! Arrays.
-    ! Four elements for each pair that mgdt_domain_validate() or mgdt_domain_build() has found: a
-    ! kind (MGDT_DOMAIN_KIND_FACET and so on) and a number, twice. What is bad by itself is paired
-    ! with itself: a facet that is flat or no polygon, or a segment without length.
-    integer, parameter :: mgdt_domain_array_offending_pairs = 10
+    ! Four elements for each offending pair: a kind (MGDT_DOMAIN_KIND_FACET and so on) and a number,
+    ! twice. What is bad by itself is paired with itself: a facet that is flat or no polygon, or a
+    ! segment without length.
+    integer, parameter :: mgdt_domain_array_offending_pairs = 200
     ! Three elements for each edge that one facet alone has, where a surface is open: the two ends
-    ! and the facet. mgdt_domain_validate() and mgdt_domain_build() find them if there are no
-    ! offending pairs. Facets that bound nothing have such edges too.
-    integer, parameter :: mgdt_domain_array_open_edges = 11
-    ! Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
-    ! tetrahedra are sorted by their corners.
-    integer, parameter :: mgdt_domain_array_tetrahedra = 20
-    ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. None means that
-    ! the domain ends there.
-    integer, parameter :: mgdt_domain_array_neighbors = 21
-    ! The region of each tetrahedron.
-    integer, parameter :: mgdt_domain_array_regions = 22
-    ! The marker of each region: that of the last mgdt_domain_add_region() with a place inside of
-    ! it, or 0.
-    integer, parameter :: mgdt_domain_array_region_markers = 23
-    ! Three corners for each face of the mesh that is a part of a facet. They turn in the same
-    ! direction as those of the facet.
-    integer, parameter :: mgdt_domain_array_faces = 30
-    ! The two tetrahedra at each face: first the one from which the corners appear counter-
-    ! clockwise, then the other one.
-    integer, parameter :: mgdt_domain_array_face_tetrahedra = 31
-    ! The facet that each face is a part of; of facets that are joined, the first one.
-    integer, parameter :: mgdt_domain_array_face_facets = 32
-    ! The marker of this facet.
-    integer, parameter :: mgdt_domain_array_face_markers = 33
-    ! Two ends for each edge of the mesh that is a part of a segment, or of an edge of facets that
-    ! does not lie inside of a joined facet.
-    integer, parameter :: mgdt_domain_array_segments = 40
-    ! The segment that the caller has set and that each of these is a part of, or none.
-    integer, parameter :: mgdt_domain_array_segment_sources = 41
-    ! The marker of this segment, or 0.
-    integer, parameter :: mgdt_domain_array_segment_markers = 42
-    ! The two ends a and b of the edge that each Steiner point divides.
-    integer, parameter :: mgdt_domain_array_steiner_edges = 50
-    ! Three coordinates of each point: first the points that were set, then the Steiner points.
-    integer, parameter :: mgdt_domain_array_points = 60
-    ! For each Steiner point the number t for which it is a + t (b - a).
-    integer, parameter :: mgdt_domain_array_steiner_parameters = 61
+    ! and the facet. They are found if there are no offending pairs. Facets that bound nothing have
+    ! such edges too.
+    integer, parameter :: mgdt_domain_array_open_edges = 210
 
     ! Options.
     ! 0 (default) or 1. It applies to indices that are given or read later.

@@ -20,7 +20,7 @@ module mgdt_f77_support
     integer, parameter, private :: integer_bits = bit_size(0), handle_integers = 128/integer_bits
     ! Added to the seal of another kind of handle.
     integer(c_int32_t), parameter :: of_parts = 1, of_voronoi = 2, of_domain = 3, &
-                                     of_periodic = 4
+                                     of_periodic = 4, of_mesh = 5
 
     ! The arrays that export_at() knows.
     integer, parameter :: array_tetrahedra = 1, array_neighbors = 2, array_facets = 3, &

@@ -64,6 +64,14 @@ module mgdt_parts_c
             type(c_ptr), value :: user
             integer(c_int32_t) :: status
         end function
+        function c_parts_get_progress(p, fn, user) result(status) &
+            bind(c, name='mgdt_parts_get_progress')
+            use, intrinsic :: iso_c_binding, only: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
+            integer(c_int32_t) :: status
+        end function
         function c_parts_cancel(p) result(status) bind(c, name='mgdt_parts_cancel')
             use, intrinsic :: iso_c_binding, only: c_int32_t, c_ptr
             type(c_ptr), value :: p
@@ -99,6 +107,14 @@ module mgdt_parts_c
             integer(c_int32_t), value :: part
             integer(c_int32_t), value :: key
             integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_parts_array_info(array, columns, is_double) result(status) &
+            bind(c, name='mgdt_parts_array_info')
+            use, intrinsic :: iso_c_binding, only: c_int32_t
+            integer(c_int32_t), value :: array
+            integer(c_int32_t), intent(inout) :: columns
+            integer(c_int32_t), intent(inout) :: is_double
             integer(c_int32_t) :: status
         end function
         function c_parts_get_size(p, part, array, size) result(status) &

@@ -324,8 +324,8 @@ contains
 
         if (.not. has_rows('move_points', xyz, stat, errmsg)) return
         call finish(self, 'move_points', &
-                    c_periodic_move_points(self%handle, size(xyz, 2, kind=c_int64_t), c_null_ptr, &
-                                           xyz), stat, errmsg)
+                    c_periodic_move_points_i64(self%handle, size(xyz, 2, kind=c_int64_t), c_null_ptr, &
+                                               xyz), stat, errmsg)
     end subroutine
 
     subroutine move_some_i32(self, points, xyz, stat, errmsg)
@@ -352,7 +352,7 @@ contains
         end if
         listed(:n) = points
         call finish(self, 'move_points', &
-                    c_periodic_move_points(self%handle, n, c_loc(listed), xyz), stat, errmsg)
+                    c_periodic_move_points_i64(self%handle, n, c_loc(listed), xyz), stat, errmsg)
     end subroutine
 
     subroutine move_some_i64(self, points, xyz, stat, errmsg)
@@ -379,7 +379,7 @@ contains
         end if
         listed(:n) = points
         call finish(self, 'move_points', &
-                    c_periodic_move_points(self%handle, n, c_loc(listed), xyz), stat, errmsg)
+                    c_periodic_move_points_i64(self%handle, n, c_loc(listed), xyz), stat, errmsg)
     end subroutine
 
     ! Number of elements of an array: an mgdt_periodic_array_ constant.

@@ -156,7 +156,7 @@ subroutine mgbmva(h, n, xyz, ierr)
     integer, intent(inout) :: ierr
 
     if (integers_differ(h, ierr, n)) return
-    ierr = c_periodic_move_points(handle_of(h, of_periodic), int(n, c_int64_t), c_null_ptr, xyz)
+    ierr = c_periodic_move_points_i64(handle_of(h, of_periodic), int(n, c_int64_t), c_null_ptr, xyz)
 end subroutine
 
 ! Moves the points IPTS(N) to XYZ(3, N).
@@ -165,15 +165,16 @@ subroutine mgbmov(h, n, ipts, xyz, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(in) :: n
-    integer, intent(in) :: ipts(*)
+    integer, intent(in), target :: ipts(*)
     real(c_double), intent(in) :: xyz(*)
     integer, intent(inout) :: ierr
-    integer(c_int64_t), allocatable, target :: points(:)
 
     if (integers_differ(h, ierr, n)) return
-    call as_long(ipts, int(max(n, 0), c_int64_t), points, ierr)
-    if (ierr /= mgdt_ok) return
-    ierr = c_periodic_move_points(handle_of(h, of_periodic), int(n, c_int64_t), c_loc(points), xyz)
+    if (bit_size(n) == 32) then
+        ierr = c_periodic_move_points_i32(handle_of(h, of_periodic), int(n, c_int64_t), c_loc(ipts), xyz)
+    else
+        ierr = c_periodic_move_points_i64(handle_of(h, of_periodic), int(n, c_int64_t), c_loc(ipts), xyz)
+    end if
 end subroutine
 
 ! Triangulates the points.

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 # The handles of the C interface. A function that has one takes it first.
-HANDLES = ("mgdt_triangulation", "mgdt_parts", "mgdt_voronoi", "mgdt_domain", "mgdt_periodic")
+HANDLES = ("mgdt_triangulation", "mgdt_parts", "mgdt_voronoi", "mgdt_domain", "mgdt_mesh",
+           "mgdt_periodic")
 
 
 class Group(NamedTuple):

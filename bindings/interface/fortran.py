@@ -236,6 +236,7 @@ def expanded(template: Path, calls: Calls) -> str:
 
     options = fypp.FyppOptions()
     options.no_folding = True
+    options.includes = [str(template.parent)]
     try:
         return fypp.Fypp(options, evaluator_factory=evaluator).process_text(
             template.read_text(encoding="utf-8"))
@@ -244,7 +245,7 @@ def expanded(template: Path, calls: Calls) -> str:
 
 
 def files(triangulation: Interface, parts: Interface, mpi: Interface) -> dict[str, str]:
-    templates = sorted((Path(__file__).parent / "fortran").glob("*.fypp"))
+    templates = sorted((Path(__file__).parent / "fortran").glob("*.f90.fypp"))
     calls = Calls([triangulation, parts])
     return {**{f"fortran/{t.stem}": expanded(t, calls) for t in templates},
             "fortran/mgdt_c.f90": c_module(triangulation),

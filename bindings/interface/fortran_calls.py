@@ -18,6 +18,7 @@ F77_HANDLES = {
     "mgdt_triangulation": (["use mgdt_f77_support"], "handle_of(h)"),
     "mgdt_voronoi": (["use mgdt_f77_support"], "handle_of(h, of_voronoi)"),
     "mgdt_domain": (["use mgdt_f77_support"], "handle_of(h, of_domain)"),
+    "mgdt_mesh": (["use mgdt_f77_support"], "handle_of(h, of_mesh)"),
     "mgdt_periodic": (["use mgdt_f77_support"], "handle_of(h, of_periodic)"),
     "mgdt_parts": (["use mgdt_f77_support", "use mgdt_parts_c", "use mgdt_parts_constants"],
                    "handle_of(h, of_parts)"),

@@ -18,6 +18,7 @@ import rust
 import scripting
 from description import TRIANGULATION
 from domain import DOMAIN
+from mesh import MESH
 from parts import MPI, PARTS
 from periodic import PERIODIC
 from voronoi import VORONOI
@@ -27,17 +28,18 @@ HEADERS = BINDINGS.parent / "include" / "mgdt"
 
 
 def read_all(folder: Path = HEADERS) -> list[header.Interface]:
-    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h, mgdt_voronoi.h, mgdt_domain.h and mgdt_periodic.h."""
+    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h, mgdt_voronoi.h, mgdt_mesh.h, mgdt_domain.h and
+    mgdt_periodic.h."""
     found: list[header.Interface] = []
-    for description in (TRIANGULATION, PARTS, MPI, VORONOI, DOMAIN, PERIODIC):
+    for description in (TRIANGULATION, PARTS, MPI, VORONOI, MESH, DOMAIN, PERIODIC):
         found.append(header.read(folder / description.header, description, found))
     return found
 
 
 def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
     """The files by their names below the folder of the bindings."""
-    triangulation, parts, mpi, voronoi, domain, periodic = interfaces
-    whole = triangulation.joined(voronoi).joined(domain).joined(periodic)
+    triangulation, parts, mpi, voronoi, mesh, domain, periodic = interfaces
+    whole = triangulation.joined(voronoi).joined(mesh).joined(domain).joined(periodic)
     return {**fortran.files(whole, parts, mpi), **rust.files(whole), **scripting.files(whole, parts)}
 
 

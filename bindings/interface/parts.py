@@ -9,6 +9,8 @@ PARTS = Description(
         "mgdt_parts_get_option": {"value": "1"},
         "mgdt_parts_insert_points": {"xyz": "3*n", "ids": "?n"},
         "mgdt_parts_get_stat": {"value": "1"},
+        "mgdt_parts_get_progress": {"fn": "1"},
+        "mgdt_parts_array_info": {"columns": "1", "is_double": "1"},
         "mgdt_parts_get_size": {"size": "1"},
         "mgdt_parts_get_array": {"values": "capacity"},
         "mgdt_parts_get_coordinates": {"xyz": "capacity"},

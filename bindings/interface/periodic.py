@@ -10,6 +10,8 @@ PERIODIC = Description(
         "mgdt_periodic_create_with_allocator": {"vectors": "3*dimensions"},
         "mgdt_periodic_get_option": {"value": "1"},
         "mgdt_periodic_get_merge_distance": {"distance": "1"},
+        "mgdt_periodic_get_progress": {"fn": "1"},
+        "mgdt_periodic_array_info": {"columns": "1", "is_double": "1"},
         "mgdt_periodic_insert_points": {"xyz": "3*n"},
         "mgdt_periodic_move_points": {"points": "?n", "xyz": "3*n"},
         "mgdt_periodic_get_stat": {"value": "1"},

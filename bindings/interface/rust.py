@@ -12,7 +12,7 @@ HEAD = """\
 // SPDX-License-Identifier: MIT
 // Generated from the headers of mgdt by bindings/interface/generate.py.
 //! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h`,
-//! `mgdt/mgdt_voronoi.h`, `mgdt/mgdt_domain.h` and `mgdt/mgdt_periodic.h`; the crate `mgdt` is the safe interface.
+//! `mgdt/mgdt_voronoi.h`, `mgdt/mgdt_domain.h`, `mgdt/mgdt_mesh.h` and `mgdt/mgdt_periodic.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
@@ -34,7 +34,7 @@ pub struct %s {
 }
 """
 HANDLES = {"mgdt_triangulation": "A triangulation", "mgdt_voronoi": "A Voronoi diagram",
-           "mgdt_domain": "A domain and its mesh",
+           "mgdt_domain": "A domain", "mgdt_mesh": "A mesh of tetrahedra",
            "mgdt_periodic": "Points in a periodic box"}
 
 

@@ -7,6 +7,7 @@ VORONOI = Description(
     "mgdt_voronoi.h",
     {
         "mgdt_voronoi_create": {"planes": "?4*n_planes"},
+        "mgdt_voronoi_array_info": {"columns": "1", "is_double": "1"},
         "mgdt_voronoi_get_size": {"size": "1"},
         "mgdt_voronoi_get_array": {"values": "capacity"},
         "mgdt_voronoi_get_doubles": {"values": "capacity"},

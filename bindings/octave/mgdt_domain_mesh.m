@@ -24,10 +24,11 @@
 % "progress"         a function that hears of the fraction done; true cancels
 % "check"            true to prove the mesh; mgdt:check_failed says what is wrong
 %
-% The result is a struct: points (those given, then Steiner points), tetrahedra and neighbours (t x 4),
-% regions (of each tetrahedron) and region_markers; faces (f x 3), face_tetrahedra (f x 2),
-% face_facets and face_markers; segments (e x 2), segment_sources and segment_markers; steiner_edges
-% (q x 2) and steiner_parameters; open_edges (o x 3); is_rounded. mgdt/mgdt_domain.h says what they mean. 0 stands for none.
+% The result is a struct: points (those given, then Steiner points) and point_origins (the point that
+% was given, or 0); tetrahedra and neighbours (t x 4), tetrahedron_regions, volumes, and region_markers (of
+% each region); faces (f x 3), face_tetrahedra (f x 2), face_facets and face_markers; edges (e x 2),
+% edge_segments and edge_markers; steiner_edges (q x 2) and steiner_parameters; open_edges (o x 3);
+% is_rounded. mgdt/mgdt_mesh.h says what they mean. 0 stands for none.
 %
 % Errors: mgdt:invalid_boundary (facets, segments or points cross or touch where they must not;
 % mgdt_offending_pairs lists them), mgdt:open_boundary (they enclose nothing), mgdt:resolution, mgdt:not_finite, mgdt:invalid_argument,

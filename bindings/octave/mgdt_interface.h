@@ -99,12 +99,28 @@
     F(isa_name);                       \
     F(voronoi_create);                 \
     F(voronoi_destroy);                \
+    F(voronoi_array_info);             \
     F(voronoi_get_size);               \
     F(voronoi_get_array);              \
     F(voronoi_get_array_i32);          \
     F(voronoi_get_doubles);            \
     F(voronoi_drop_small_faces);       \
     F(voronoi_get_error);              \
+    F(mesh_destroy);                   \
+    F(mesh_set_option);                \
+    F(mesh_get_option);                \
+    F(mesh_set_progress);              \
+    F(mesh_get_progress);              \
+    F(mesh_cancel);                    \
+    F(mesh_get_stat);                  \
+    F(mesh_array_info);                \
+    F(mesh_get_size);                  \
+    F(mesh_get_array);                 \
+    F(mesh_get_array_i32);             \
+    F(mesh_get_doubles);               \
+    F(mesh_get_tetrahedron_measures);  \
+    F(mesh_check);                     \
+    F(mesh_get_error);                 \
     F(domain_create);                  \
     F(domain_create_with_allocator);   \
     F(domain_destroy);                 \
@@ -112,20 +128,23 @@
     F(domain_set_option);              \
     F(domain_get_option);              \
     F(domain_set_progress);            \
+    F(domain_get_progress);            \
     F(domain_cancel);                  \
     F(domain_set_points);              \
     F(domain_set_facets);              \
+    F(domain_set_facets_i32);          \
     F(domain_set_segments);            \
-    F(domain_add_region);              \
-    F(domain_add_hole);                \
+    F(domain_set_segments_i32);        \
+    F(domain_set_regions);             \
+    F(domain_set_holes);               \
     F(domain_validate);                \
     F(domain_build);                   \
     F(domain_check);                   \
     F(domain_get_stat);                \
+    F(domain_array_info);              \
     F(domain_get_size);                \
     F(domain_get_array);               \
     F(domain_get_array_i32);           \
-    F(domain_get_doubles);             \
     F(domain_get_error);               \
     F(periodic_create);                \
     F(periodic_create_with_allocator); \
@@ -136,12 +155,15 @@
     F(periodic_set_merge_distance);    \
     F(periodic_get_merge_distance);    \
     F(periodic_set_progress);          \
+    F(periodic_get_progress);          \
     F(periodic_cancel);                \
     F(periodic_insert_points);         \
     F(periodic_move_points);           \
+    F(periodic_move_points_i32);       \
     F(periodic_build);                 \
     F(periodic_check);                 \
     F(periodic_get_stat);              \
+    F(periodic_array_info);            \
     F(periodic_get_size);              \
     F(periodic_get_array);             \
     F(periodic_get_array_i32);         \

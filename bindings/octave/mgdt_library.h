@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <mgdt/mgdt.h>
 #include <mgdt/mgdt_domain.h>
+#include <mgdt/mgdt_mesh.h>
 #include <mgdt/mgdt_periodic.h>
 #include <mgdt/mgdt_voronoi.h>
 #include <stdio.h>

@@ -1,18 +1,21 @@
 /* SPDX-License-Identifier: MIT
- * Meshes of domains: what mgdt_domain_mesh.m and mgdt_offending_pairs.m call. */
+ * Domains and their meshes: what mgdt_domain_mesh.m and mgdt_offending_pairs.m call. */
 #ifndef MGDT_OCTAVE_MESH_H
 #define MGDT_OCTAVE_MESH_H
 
 #include "mgdt_support.h"
 
-/* The domain in use. Octave's allocations may leave the function, so it is kept here and freed by
- * the next call. */
+/* The domain and the mesh in use. Octave's allocations may leave the function, so they are kept
+ * here and freed by the next call. */
 static mgdt_domain* domain;
+static mgdt_mesh* mesh;
 static int domain_is_busy; /* a progress function is running, which must not free it */
 
 static void close_domain(void) {
     if (domain_is_busy) return;
+    if (mesh) mgdt.mesh_destroy(mesh);
     if (domain) mgdt.domain_destroy(domain);
+    mesh = NULL;
     domain = NULL;
 }
 
@@ -24,20 +27,44 @@ static void ensure_domain(mgdt_status s) {
     mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
 }
 
-static mxArray* array_of_domain(int32_t key, int width) {
+static void ensure_mesh(mgdt_status s) {
+    char message[256] = "";
+    if (s == MGDT_OK) return;
+    mgdt.mesh_get_error(mesh, (int64_t)sizeof message, message);
+    close_domain();
+    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
+}
+
+static mxArray* array_of_domain(int32_t key) {
     int64_t count = 0;
+    int32_t width = 1;
+    int64_t* v;
     mxArray* result;
+    mgdt.domain_array_info(key, &width, NULL);
     ensure_domain(mgdt.domain_get_size(domain, key, &count));
-    if (key < MGDT_DOMAIN_ARRAY_POINTS) {
-        int64_t* const v = room(count, sizeof *v);
-        ensure_domain(mgdt.domain_get_array(domain, key, count, v));
-        result = rows(v, count / width, width);
-        mxFree(v);
-    } else {
+    v = room(count, sizeof *v);
+    ensure_domain(mgdt.domain_get_array(domain, key, count, v));
+    result = rows(v, count / width, width);
+    mxFree(v);
+    return result;
+}
+
+static mxArray* array_of_mesh(int32_t key) {
+    int64_t count = 0;
+    int32_t width = 1, is_double = 0;
+    mxArray* result;
+    mgdt.mesh_array_info(key, &width, &is_double);
+    ensure_mesh(mgdt.mesh_get_size(mesh, key, &count));
+    if (is_double) {
         double* const x = room(count, sizeof *x);
-        ensure_domain(mgdt.domain_get_doubles(domain, key, count, x));
+        ensure_mesh(mgdt.mesh_get_doubles(mesh, key, count, x));
         result = rows_of_doubles(x, count / width, width);
         mxFree(x);
+    } else {
+        int64_t* const v = room(count, sizeof *v);
+        ensure_mesh(mgdt.mesh_get_array(mesh, key, count, v));
+        result = rows(v, count / width, width);
+        mxFree(v);
     }
     return result;
 }
@@ -70,7 +97,7 @@ static const double* places(const mxArray* a, const char* what, int64_t* n) {
 enum { domain_arguments = 13 };
 
 static void make_domain(int count, const mxArray* const* given) {
-    int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions, k;
+    int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions;
     const double *xyz, *holes, *regions;
     const int64_t *offsets, *corners, *ends;
     const int32_t *of_facets, *of_segments, *of_regions;
@@ -97,17 +124,16 @@ static void make_domain(int count, const mxArray* const* given) {
 
     close_domain();
     if (mgdt.domain_create(&domain) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
-    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_INDEX_BASE, 1));
-    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_ROUND_POINTS, rounded));
-    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_STRICT, strict));
-    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_THREADS, threads));
-    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_MEMORY_LIMIT, limit));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_INDEX_BASE, 1));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_ROUND_POINTS, rounded));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_STRICT, strict));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_THREADS, threads));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_MEMORY_LIMIT, limit));
     ensure_domain(mgdt.domain_set_points(domain, n, xyz));
     ensure_domain(mgdt.domain_set_facets(domain, n_offsets - 1, offsets, corners, of_facets));
     ensure_domain(mgdt.domain_set_segments(domain, n_ends / 2, ends, of_segments));
-    for (k = 0; k < n_holes; ++k) ensure_domain(mgdt.domain_add_hole(domain, holes + 3 * k));
-    for (k = 0; k < n_regions; ++k)
-        ensure_domain(mgdt.domain_add_region(domain, regions + 3 * k, of_regions[k]));
+    ensure_domain(mgdt.domain_set_holes(domain, n_holes, holes));
+    ensure_domain(mgdt.domain_set_regions(domain, n_regions, regions, of_regions));
 }
 
 /* Rows of two kinds and two numbers. */
@@ -117,7 +143,7 @@ static mxArray* offending_pairs(int count, const mxArray* const* given) {
     make_domain(count, given);
     status = mgdt.domain_validate(domain);
     if (status != MGDT_ERR_INVALID_BOUNDARY) ensure_domain(status);
-    result = array_of_domain(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS, 4);
+    result = array_of_domain(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS);
     close_domain();
     return result;
 }
@@ -128,30 +154,30 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
     static const struct {
         const char* name;
         int32_t key;
-        int width;
-    } arrays[] = {{"points", MGDT_DOMAIN_ARRAY_POINTS, 3},
-                  {"tetrahedra", MGDT_DOMAIN_ARRAY_TETRAHEDRA, 4},
-                  {"neighbours", MGDT_DOMAIN_ARRAY_NEIGHBORS, 4},
-                  {"regions", MGDT_DOMAIN_ARRAY_REGIONS, 1},
-                  {"region_markers", MGDT_DOMAIN_ARRAY_REGION_MARKERS, 1},
-                  {"faces", MGDT_DOMAIN_ARRAY_FACES, 3},
-                  {"face_tetrahedra", MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA, 2},
-                  {"face_facets", MGDT_DOMAIN_ARRAY_FACE_FACETS, 1},
-                  {"face_markers", MGDT_DOMAIN_ARRAY_FACE_MARKERS, 1},
-                  {"segments", MGDT_DOMAIN_ARRAY_SEGMENTS, 2},
-                  {"segment_sources", MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES, 1},
-                  {"segment_markers", MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, 1},
-                  {"open_edges", MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3},
-                  {"steiner_edges", MGDT_DOMAIN_ARRAY_STEINER_EDGES, 2},
-                  {"steiner_parameters", MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS, 1}};
+    } arrays[] = {{"points", MGDT_MESH_ARRAY_POINTS},
+                  {"point_origins", MGDT_MESH_ARRAY_POINT_ORIGINS},
+                  {"tetrahedra", MGDT_MESH_ARRAY_TETRAHEDRA},
+                  {"neighbours", MGDT_MESH_ARRAY_NEIGHBORS},
+                  {"tetrahedron_regions", MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS},
+                  {"region_markers", MGDT_MESH_ARRAY_REGION_MARKERS},
+                  {"faces", MGDT_MESH_ARRAY_FACES},
+                  {"face_tetrahedra", MGDT_MESH_ARRAY_FACE_TETRAHEDRA},
+                  {"face_facets", MGDT_MESH_ARRAY_FACE_FACETS},
+                  {"face_markers", MGDT_MESH_ARRAY_FACE_MARKERS},
+                  {"edges", MGDT_MESH_ARRAY_EDGES},
+                  {"edge_segments", MGDT_MESH_ARRAY_EDGE_SEGMENTS},
+                  {"edge_markers", MGDT_MESH_ARRAY_EDGE_MARKERS},
+                  {"steiner_edges", MGDT_MESH_ARRAY_STEINER_EDGES},
+                  {"steiner_parameters", MGDT_MESH_ARRAY_STEINER_PARAMETERS}};
     enum { n_arrays = sizeof arrays / sizeof *arrays };
-    const char* names[n_arrays + 1];
+    const char* names[n_arrays + 3];
     progress p = {NULL, NULL};
     const mxArray* function;
     int is_checked;
     mxArray* result;
     mgdt_status status;
-    int64_t is_rounded = 0;
+    int64_t is_rounded = 0, n = 0;
+    double* volumes;
     int k;
     if (count < domain_arguments + 2) bad_argument("a mesh needs more arguments");
     function = given[domain_arguments];
@@ -162,7 +188,7 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
         mgdt.domain_set_progress(domain, report, &p);
     }
     domain_is_busy = 1;
-    status = mgdt.domain_build(domain);
+    status = mgdt.domain_build(domain, &mesh);
     domain_is_busy = 0;
     mgdt.domain_set_progress(domain, NULL, NULL);
     if (p.problem) {
@@ -170,14 +196,24 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
         mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
     }
     ensure_domain(status);
-    if (is_checked) ensure_domain(mgdt.domain_check(domain));
-    ensure_domain(mgdt.domain_get_stat(domain, MGDT_DOMAIN_IS_ROUNDED, &is_rounded));
+    if (is_checked) {
+        ensure_mesh(mgdt.mesh_check(mesh));
+        ensure_domain(mgdt.domain_check(domain, mesh));
+    }
+    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_IS_ROUNDED, &is_rounded));
+    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_TETRAHEDRA, &n));
     for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
-    names[n_arrays] = "is_rounded";
-    result = mxCreateStructMatrix(1, 1, n_arrays + 1, names);
-    for (k = 0; k < n_arrays; ++k)
-        mxSetFieldByNumber(result, 0, k, array_of_domain(arrays[k].key, arrays[k].width));
-    mxSetFieldByNumber(result, 0, n_arrays, mxCreateLogicalScalar(is_rounded != 0));
+    names[n_arrays] = "open_edges";
+    names[n_arrays + 1] = "volumes";
+    names[n_arrays + 2] = "is_rounded";
+    result = mxCreateStructMatrix(1, 1, n_arrays + 3, names);
+    for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_mesh(arrays[k].key));
+    mxSetFieldByNumber(result, 0, n_arrays, array_of_domain(MGDT_DOMAIN_ARRAY_OPEN_EDGES));
+    volumes = room(n, sizeof *volumes);
+    ensure_mesh(mgdt.mesh_get_tetrahedron_measures(mesh, MGDT_TETRAHEDRON_VOLUME, n, volumes));
+    mxSetFieldByNumber(result, 0, n_arrays + 1, rows_of_doubles(volumes, n, 1));
+    mxFree(volumes);
+    mxSetFieldByNumber(result, 0, n_arrays + 2, mxCreateLogicalScalar(is_rounded != 0));
     close_domain();
     return result;
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * mgdt for C++17 and later: header-only classes over the C interface of mgdt.h, mgdt_parts.h,
- * mgdt_voronoi.h, mgdt_domain.h and mgdt_periodic.h.
+ * mgdt_voronoi.h, mgdt_domain.h, mgdt_mesh.h and mgdt_periodic.h.
  *
  * mgdt::Triangulation (cxx/triangulation.hpp), mgdt::Parts (cxx/parts.hpp), mgdt::Voronoi
- * (cxx/voronoi.hpp), mgdt::Domain (cxx/domain.hpp) and mgdt::Periodic (cxx/periodic.hpp) own a
- * handle. Each function names the C function that it calls; the C headers describe meaning, shapes,
- * index base, "none" and threads.
+ * (cxx/voronoi.hpp), mgdt::Domain (cxx/domain.hpp), mgdt::Mesh (cxx/mesh.hpp) and mgdt::Periodic
+ * (cxx/periodic.hpp) own a handle. Each function names the C function that it calls; the C headers
+ * describe meaning, shapes, index base, "none" and threads.
  *
  * - A failed call throws. mgdt::Error has the status and the library's message; mgdt::Cancelled and
  *   mgdt::Busy are the errors for MGDT_ERR_CANCELLED and MGDT_ERR_BUSY; mgdt::OutOfMemory is a
@@ -39,6 +39,7 @@
 #include "cxx/constants.hpp"
 #include "cxx/domain.hpp"
 #include "cxx/error.hpp"
+#include "cxx/mesh.hpp"
 #include "cxx/parts.hpp"
 #include "cxx/periodic.hpp"
 #include "cxx/triangulation.hpp"

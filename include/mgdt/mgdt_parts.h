@@ -219,6 +219,12 @@ MGDT_API mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, 
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user);
+/** The progress callback, or NULL, and what is passed to it.
+ *  @param[out] user  may be NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_parts_get_progress(const mgdt_parts* p, mgdt_progress_fn* fn,
+                                             void** user);
 
 /** Asks mgdt_parts_build() to stop soon. That call then returns MGDT_ERR_CANCELLED on all
  *  processes. If none is running, the request stays pending and stops the next build, unless
@@ -287,6 +293,14 @@ MGDT_API mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, voi
 MGDT_API mgdt_status mgdt_parts_get_stat(const mgdt_parts* p, int32_t part, int32_t key,
                                          int64_t* value);
 
+/** Gives the shape of an array, which is the same for all parts.
+ *  @param array         an MGDT_PARTS_ array
+ *  @param[out] columns  how many elements belong together, such as 4 for MGDT_PARTS_CORNERS; may be
+ *                       NULL
+ *  @param[out] is_double  0, since all arrays of parts have integers; may be NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_parts_array_info(int32_t array, int32_t* columns, int32_t* is_double);
 /** Gives the number of elements of an array. It is 0 until a triangulation is built.
  *  @param array  an MGDT_PARTS_ array
  *  @return as mgdt_parts_get_stat()

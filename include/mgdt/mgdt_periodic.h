@@ -172,6 +172,12 @@ MGDT_API mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, do
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_fn fn, void* user);
+/** The progress callback, or NULL, and what is passed to it.
+ *  @param[out] user  may be NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_periodic_get_progress(const mgdt_periodic* p, mgdt_progress_fn* fn,
+                                                void** user);
 
 /** Asks the running mgdt_periodic_build(), mgdt_periodic_check() or mgdt_periodic_create_voronoi()
  *  to stop soon. That call then returns MGDT_ERR_CANCELLED. If none is running, the request stays
@@ -202,6 +208,10 @@ MGDT_API mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, co
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_move_points(mgdt_periodic* p, int64_t n, const int64_t* points,
                                                const double* xyz);
+/** mgdt_periodic_move_points() with 32-bit integers.
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_periodic_move_points_i32(mgdt_periodic* p, int64_t n,
+                                                   const int32_t* points, const double* xyz);
 
 /* ------------------------------------------------------------------------------ calls --- */
 
@@ -231,6 +241,14 @@ MGDT_API mgdt_status mgdt_periodic_check(const mgdt_periodic* p);
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key, int64_t* value);
 
+/** Gives the shape of an array, which is the same for all boxes.
+ *  @param array           an MGDT_PERIODIC_ARRAY_ value
+ *  @param[out] columns    how many elements belong together, such as 4 for tetrahedra; may be NULL
+ *  @param[out] is_double  1 for mgdt_periodic_get_doubles(), 0 for mgdt_periodic_get_array(); may
+ * be NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns, int32_t* is_double);
 /** Gives the number of elements of an array.
  *  @param array  an MGDT_PERIODIC_ARRAY_ value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_BUILT,

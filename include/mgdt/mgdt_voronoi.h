@@ -125,6 +125,15 @@ MGDT_API mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_
  *  @since 1.3 */
 MGDT_API void mgdt_voronoi_destroy(mgdt_voronoi* v);
 
+/** Gives the shape of an array, which is the same for all diagrams.
+ *  @param array           an MGDT_VORONOI_ value
+ *  @param[out] columns    how many elements belong together, such as 2 for the sides of faces; may
+ * be NULL
+ *  @param[out] is_double  1 for mgdt_voronoi_get_doubles(), 0 for mgdt_voronoi_get_array(); may be
+ * NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_array_info(int32_t array, int32_t* columns, int32_t* is_double);
 /** Gives the number of elements of an array.
  *  @param array  an MGDT_VORONOI_ array
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY

@@ -2,8 +2,11 @@
 // Creation, options and input of a domain, and the calls that make its mesh.
 #include <algorithm>
 
+#include "capi/arrays.hpp"
 #include "capi/domain_handle.hpp"
+#include "capi/mesh_handle.hpp"
 #include "capi/options.hpp"
+#include "capi/statistics.hpp"
 #include "core/point_scan.hpp"
 
 using namespace mgdt;
@@ -49,7 +52,8 @@ Buffer<std::int32_t> copy_of_markers(Domain& d, std::size_t n, const std::int32_
     return copy;
 }
 
-void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const std::int64_t* corners,
+template <class Int>
+void set_facets(Domain& d, std::int64_t n, const Int* offsets, const Int* corners,
                 const std::int32_t* markers) {
     const std::size_t count = require_items(n, 3, "facets");
     if (count > 0) require_pointer(corners, "corners");
@@ -86,8 +90,8 @@ void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const st
     d.set_facets(std::move(begin), std::move(points), std::move(copy));
 }
 
-void set_segments(Domain& d, std::int64_t n, const std::int64_t* ends,
-                  const std::int32_t* markers) {
+template <class Int>
+void set_segments(Domain& d, std::int64_t n, const Int* ends, const std::int32_t* markers) {
     const std::size_t count = require_items(n, 2, "segments");
     if (count > 0) require_pointer(ends, "ends");
     Buffer<std::uint32_t> points(d.allocator());
@@ -97,17 +101,71 @@ void set_segments(Domain& d, std::int64_t n, const std::int64_t* ends,
     d.set_segments(std::move(points), std::move(copy));
 }
 
-DomainInput::Place place(const double* xyz, std::int32_t marker) {
-    require_pointer(xyz, "xyz");
-    for (std::size_t k = 0; k < 3; ++k)
-        if (!std::isfinite(xyz[k]))
-            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of the place is not finite", "xyz"[k]);
-    return {{xyz[0], xyz[1], xyz[2]}, marker};
+// The places of regions or holes.
+Buffer<DomainInput::Place> places(Domain& d, std::int64_t n, const double* xyz,
+                                  const std::int32_t* markers, const char* of) {
+    const std::size_t count = require_items(n, 3, of);
+    if (count > 0) require_pointer(xyz, "xyz");
+    Buffer<DomainInput::Place> all(d.allocator());
+    all.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* const x = xyz + 3 * i;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!std::isfinite(x[k]))
+                fail(MGDT_ERR_NOT_FINITE, "coordinate %c of place %lld is not finite", "xyz"[k],
+                     static_cast<long long>(i) + d.settings().index_base);
+        all[i] = {{x[0], x[1], x[2]}, markers ? markers[i] : 0};
+    }
+    return all;
 }
 
 const Switches<DomainSettings> switches = {
-    {MGDT_DOMAIN_ROUND_POINTS, &DomainSettings::rounds_points},
-    {MGDT_DOMAIN_STRICT, &DomainSettings::is_strict}};
+    {MGDT_DOMAIN_OPTION_ROUND_POINTS, &DomainSettings::rounds_points},
+    {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict}};
+
+constexpr IntegerStatistic<Domain> statistics[] = {
+    {MGDT_DOMAIN_STAT_POINTS, [](const Domain& d) { return d.input().point_count(); }},
+    {MGDT_DOMAIN_STAT_FACETS, [](const Domain& d) { return d.input().facet_count(); }},
+    {MGDT_DOMAIN_STAT_SEGMENTS, [](const Domain& d) { return d.input().segment_count(); }},
+    {MGDT_DOMAIN_STAT_REGIONS, [](const Domain& d) { return d.input().regions.size(); }},
+    {MGDT_DOMAIN_STAT_HOLES, [](const Domain& d) { return d.input().holes.size(); }},
+    {MGDT_DOMAIN_STAT_MEMORY_BYTES, [](const Domain& d) { return d.allocator().bytes(); }},
+    {MGDT_DOMAIN_STAT_OFFENDING_PAIRS, [](const Domain& d) { return d.offences().size(); }},
+    {MGDT_DOMAIN_STAT_OPEN_EDGES, [](const Domain& d) { return d.open_edges().size(); }},
+};
+
+auto offending_pairs(const Domain& d) {
+    return Computed(4 * d.offences().size(), [&d](const auto& f) {
+        for (const Offence& o : d.offences())
+            for (const Offence::Item& item : {o.first, o.second}) {
+                f(std::int64_t{item.kind});
+                f(std::int64_t{item.index} + d.settings().index_base);
+            }
+    });
+}
+
+auto open_edges(const Domain& d) {
+    return Computed(3 * d.open_edges().size(), [&d](const auto& f) {
+        for (const OpenEdge& e : d.open_edges())
+            for (const std::uint32_t i : {e.ends[0], e.ends[1], e.facet}) f(i);
+    });
+}
+
+constexpr auto arrays =
+    std::make_tuple(array<Element::integer>(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS, 4, offending_pairs),
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3, open_edges));
+
+template <class Value>
+mgdt_status get(const mgdt_domain* d, std::int32_t key, std::int64_t capacity, Value* values,
+                const char* name) {
+    return guard(
+        d,
+        [&] {
+            get_array(arrays, d->object, key, d->object.settings().index_base, capacity, values,
+                      no_requirement);
+        },
+        name);
+}
 
 }  // namespace
 
@@ -141,6 +199,11 @@ extern "C" mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn
     return set_progress(d, fn, user);
 }
 
+extern "C" mgdt_status mgdt_domain_get_progress(const mgdt_domain* d, mgdt_progress_fn* fn,
+                                                void** user) {
+    return get_progress(d, fn, user);
+}
+
 extern "C" mgdt_status mgdt_domain_cancel(mgdt_domain* d) {
     return cancel(d);
 }
@@ -154,32 +217,74 @@ extern "C" mgdt_status mgdt_domain_set_facets(mgdt_domain* d, int64_t n, const i
     return guard(d, [&] { set_facets(d->object, n, offsets, corners, markers); });
 }
 
+extern "C" mgdt_status mgdt_domain_set_facets_i32(mgdt_domain* d, int64_t n, const int32_t* offsets,
+                                                  const int32_t* corners, const int32_t* markers) {
+    return guard(d, [&] { set_facets(d->object, n, offsets, corners, markers); });
+}
+
+extern "C" mgdt_status mgdt_domain_set_segments_i32(mgdt_domain* d, int64_t n, const int32_t* ends,
+                                                    const int32_t* markers) {
+    return guard(d, [&] { set_segments(d->object, n, ends, markers); });
+}
+
 extern "C" mgdt_status mgdt_domain_set_segments(mgdt_domain* d, int64_t n, const int64_t* ends,
                                                 const int32_t* markers) {
     return guard(d, [&] { set_segments(d->object, n, ends, markers); });
 }
 
-extern "C" mgdt_status mgdt_domain_add_region(mgdt_domain* d, const double* xyz, int32_t marker) {
-    return guard(d, [&] { d->object.add_region(place(xyz, marker)); });
+extern "C" mgdt_status mgdt_domain_set_regions(mgdt_domain* d, int64_t n, const double* xyz,
+                                               const int32_t* markers) {
+    return guard(d, [&] { d->object.set_regions(places(d->object, n, xyz, markers, "regions")); });
 }
 
-extern "C" mgdt_status mgdt_domain_add_hole(mgdt_domain* d, const double* xyz) {
-    return guard(d, [&] { d->object.add_hole(place(xyz, 0)); });
+extern "C" mgdt_status mgdt_domain_set_holes(mgdt_domain* d, int64_t n, const double* xyz) {
+    return guard(d, [&] { d->object.set_holes(places(d->object, n, xyz, nullptr, "holes")); });
 }
 
 extern "C" mgdt_status mgdt_domain_validate(mgdt_domain* d) {
     return guard(d, [&] { d->object.validate(); });
 }
 
-extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d) {
-    return guard(d, [&] { d->object.build(); });
+extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    return guard(d, [&] {
+        *out = new_result<mgdt_mesh>(
+            d->object, [&](Result<DomainMesh>& made) { d->object.build(made.value); });
+    });
 }
 
-extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d) {
+extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* mesh) {
+    if (!mesh) return MGDT_ERR_NULL_POINTER;
     return guard(d, [&] {
-        require_mesh(d->object);
-        d->object.check();
+        const SecondHandle second(mesh);
+        d->object.check(mesh->object.value);
     });
+}
+
+extern "C" mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int64_t* value) {
+    return get_stat(d, d ? &d->object : nullptr, statistics, key, value);
+}
+
+extern "C" mgdt_status mgdt_domain_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
+    return array_info(arrays, array, columns, is_double);
+}
+
+extern "C" mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, int64_t* size) {
+    return guard(d, [&] {
+        require_pointer(size, "size");
+        *size = static_cast<std::int64_t>(size_of(arrays, d->object, array, no_requirement));
+    });
+}
+
+extern "C" mgdt_status mgdt_domain_get_array(const mgdt_domain* d, int32_t array, int64_t capacity,
+                                             int64_t* values) {
+    return get(d, array, capacity, values, __func__);
+}
+
+extern "C" mgdt_status mgdt_domain_get_array_i32(const mgdt_domain* d, int32_t array,
+                                                 int64_t capacity, int32_t* values) {
+    return get(d, array, capacity, values, __func__);
 }
 
 extern "C" mgdt_status mgdt_domain_get_error(const mgdt_domain* d, int64_t capacity, char* buffer) {

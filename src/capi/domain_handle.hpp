@@ -9,11 +9,3 @@
 struct mgdt_domain : mgdt::Handle<mgdt::Domain> {
     using Handle::Handle;
 };
-
-namespace mgdt {
-
-inline void require_mesh(const Domain& d) {
-    if (!d.has_mesh()) fail(MGDT_ERR_NOT_BUILT, "there is no mesh; mgdt_domain_build() makes one");
-}
-
-}  // namespace mgdt

@@ -4,30 +4,12 @@
 #include <algorithm>
 
 #include "capi/counts.hpp"
+#include "capi/measure.hpp"
 #include "capi/triangulation_handle.hpp"
-#include "query/tetrahedron_measures.hpp"
 
 using namespace mgdt;
 
 namespace {
-
-TetrahedronMeasure tetrahedron_measure_of(std::int32_t measure) {
-    switch (measure) {
-        case MGDT_TETRAHEDRON_VOLUME:
-            return TetrahedronMeasure::volume;
-        case MGDT_TETRAHEDRON_RADIUS_RATIO:
-            return TetrahedronMeasure::radius_ratio;
-        case MGDT_TETRAHEDRON_LEAST_ANGLE:
-            return TetrahedronMeasure::least_angle;
-        case MGDT_TETRAHEDRON_LARGEST_ANGLE:
-            return TetrahedronMeasure::largest_angle;
-        case MGDT_TETRAHEDRON_LONGEST_EDGE:
-            return TetrahedronMeasure::longest_edge;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d of tetrahedra",
-                 static_cast<int>(measure));
-    }
-}
 
 // The least number of elements per thread.
 constexpr std::size_t min_items_per_thread = 262144;

@@ -111,6 +111,22 @@ mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FU
                                    : guard_uncounted(t, Body(body), name);
 }
 
+// A handle that a call on another handle reads.
+class SecondHandle {
+  public:
+    // Throws MGDT_ERR_BUSY if a call that changes the handle is inside.
+    explicit SecondHandle(const HandleBase* handle) : handle_(handle) {
+        if (!handle->calls.try_enter_together())
+            fail(MGDT_ERR_BUSY, "the second handle is busy in a call that changes it");
+    }
+    ~SecondHandle() { handle_->calls.leave_together(); }
+    SecondHandle(const SecondHandle&) = delete;
+    SecondHandle& operator=(const SecondHandle&) = delete;
+
+  private:
+    const HandleBase* handle_;
+};
+
 // Copies the message of the last call that failed on the handle.
 mgdt_status get_message(const HandleBase* handle, std::int64_t capacity, char* buffer);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The measures of cells, as the C interface names them.
+// The measures of cells and of tetrahedra, as the C interface names them.
 #pragma once
 
 #include "capi/guard.hpp"
 #include "dual/cell_measures.hpp"
+#include "query/tetrahedron_measures.hpp"
 
 namespace mgdt {
 
@@ -19,6 +20,24 @@ inline Measure measure_of(std::int32_t measure) {
             return Measure::faces;
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d", static_cast<int>(measure));
+    }
+}
+
+inline TetrahedronMeasure tetrahedron_measure_of(std::int32_t measure) {
+    switch (measure) {
+        case MGDT_TETRAHEDRON_VOLUME:
+            return TetrahedronMeasure::volume;
+        case MGDT_TETRAHEDRON_RADIUS_RATIO:
+            return TetrahedronMeasure::radius_ratio;
+        case MGDT_TETRAHEDRON_LEAST_ANGLE:
+            return TetrahedronMeasure::least_angle;
+        case MGDT_TETRAHEDRON_LARGEST_ANGLE:
+            return TetrahedronMeasure::largest_angle;
+        case MGDT_TETRAHEDRON_LONGEST_EDGE:
+            return TetrahedronMeasure::longest_edge;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d of tetrahedra",
+                 static_cast<int>(measure));
     }
 }
 

@@ -214,6 +214,11 @@ extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn f
     return set_progress(p, fn, user);
 }
 
+extern "C" mgdt_status mgdt_parts_get_progress(const mgdt_parts* p, mgdt_progress_fn* fn,
+                                               void** user) {
+    return get_progress(p, fn, user);
+}
+
 extern "C" mgdt_status mgdt_parts_cancel(mgdt_parts* p) {
     return cancel(p);
 }

@@ -149,6 +149,10 @@ extern "C" mgdt_status mgdt_parts_get_stat(const mgdt_parts* p, int32_t part, in
     });
 }
 
+extern "C" mgdt_status mgdt_parts_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
+    return array_info(arrays, array, columns, is_double);
+}
+
 extern "C" mgdt_status mgdt_parts_get_size(const mgdt_parts* p, int32_t part, int32_t array,
                                            int64_t* size) {
     return guard(p, [&] {

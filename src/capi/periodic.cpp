@@ -25,7 +25,8 @@ void insert(Periodic& p, std::int64_t n, const double* xyz) {
     p.insert(count, xyz);
 }
 
-void move(Periodic& p, std::int64_t n, const std::int64_t* points, const double* xyz) {
+template <class Int>
+void move(Periodic& p, std::int64_t n, const Int* points, const double* xyz) {
     const std::size_t count = require_count(n);
     if (!points && count != p.point_count())
         fail(MGDT_ERR_INVALID_ARGUMENT, "%zu places are given for all points, which are %zu", count,
@@ -105,6 +106,11 @@ extern "C" mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progres
     return set_progress(p, fn, user);
 }
 
+extern "C" mgdt_status mgdt_periodic_get_progress(const mgdt_periodic* p, mgdt_progress_fn* fn,
+                                                  void** user) {
+    return get_progress(p, fn, user);
+}
+
 extern "C" mgdt_status mgdt_periodic_cancel(mgdt_periodic* p) {
     return cancel(p);
 }
@@ -115,6 +121,11 @@ extern "C" mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, 
 
 extern "C" mgdt_status mgdt_periodic_move_points(mgdt_periodic* p, int64_t n, const int64_t* points,
                                                  const double* xyz) {
+    return guard(p, [&] { move(p->object, n, points, xyz); });
+}
+
+extern "C" mgdt_status mgdt_periodic_move_points_i32(mgdt_periodic* p, int64_t n,
+                                                     const int32_t* points, const double* xyz) {
     return guard(p, [&] { move(p->object, n, points, xyz); });
 }
 

@@ -184,6 +184,11 @@ extern "C" mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t ke
     });
 }
 
+extern "C" mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns,
+                                                int32_t* is_double) {
+    return array_info(arrays, array, columns, is_double);
+}
+
 extern "C" mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t array,
                                               int64_t* size) {
     return guard(p, [&] {

@@ -121,6 +121,11 @@ extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {
     destroy_handle(v);
 }
 
+extern "C" mgdt_status mgdt_voronoi_array_info(int32_t array, int32_t* columns,
+                                               int32_t* is_double) {
+    return array_info(arrays, array, columns, is_double);
+}
+
 extern "C" mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size) {
     return guard(v, [&] {
         require_pointer(size, "size");

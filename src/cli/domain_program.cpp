@@ -36,9 +36,15 @@ Domain make_domain(const Mesh& mesh, int threads, std::uint64_t memory_limit,
         domain.set_points(mgdt::Points(mesh.points.data(), mesh.point_count()));
         domain.set_facets(mesh.facets.begin, mesh.facets.corners, mesh.facets.markers);
         domain.set_segments(mesh.facets.segments);
-        for (const FileFacets::Place& hole : mesh.facets.holes) domain.add_hole(hole.x);
-        for (const FileFacets::Place& region : mesh.facets.regions)
-            domain.add_region(region.x, region.marker);
+        std::vector<Point> holes, regions;
+        std::vector<std::int32_t> markers;
+        for (const FileFacets::Place& hole : mesh.facets.holes) holes.push_back(hole.x);
+        for (const FileFacets::Place& region : mesh.facets.regions) {
+            regions.push_back(region.x);
+            markers.push_back(region.marker);
+        }
+        domain.set_holes(holes);
+        domain.set_regions(regions, markers);
     } catch (...) {
         rethrow_failure(name, domain.last_error());
     }

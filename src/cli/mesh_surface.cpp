@@ -92,51 +92,61 @@ void add_places(const MeshOptions& options, Mesh& mesh) {
     }
 }
 
-void build(Domain& domain, const std::string& name, const MeshOptions& options) {
+// Checks a mesh, and compares it with its domain.
+void check(const Domain& domain, const mgdt::Mesh& mesh, const std::string& name) {
+    bool is_own = true;
+    try {
+        mesh.check();
+        is_own = false;
+        domain.check(mesh);
+    } catch (const mgdt::Error& e) {
+        if (e.status() == MGDT_ERR_CHECK_FAILED)
+            throw Error(exit_check_failed,
+                        fmt::format("{}: the mesh fails its check: {}; please report this", name,
+                                    e.what()));
+        rethrow_failure(name, is_own ? mesh.last_error() : domain.last_error());
+    } catch (...) {
+        rethrow_failure(name, is_own ? mesh.last_error() : domain.last_error());
+    }
+}
+
+mgdt::Mesh build(Domain& domain, const std::string& name, const MeshOptions& options) {
     check_interrupt();
     Progress progress("meshing", options.quiet);
     domain.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
     try {
         if (options.rounded) domain.set_option(DomainOption::round_points, 1);
         if (options.strict) domain.set_option(DomainOption::strict, 1);
-        domain.build();
+        mgdt::Mesh mesh = domain.build();
         domain.clear_progress();
-    } catch (...) {
-        rethrow_failure(name, domain.last_error());
-    }
-    if (!options.check) return;
-    try {
-        domain.check();
-    } catch (const mgdt::Error& e) {
-        if (e.status() == MGDT_ERR_CHECK_FAILED)
-            throw Error(exit_check_failed,
-                        fmt::format("{}: the mesh fails its check: {}; please report this", name,
-                                    e.what()));
-        rethrow_failure(name, domain.last_error());
+        if (options.check) check(domain, mesh, name);
+        return mesh;
+    } catch (const Error&) {
+        throw;
     } catch (...) {
         rethrow_failure(name, domain.last_error());
     }
 }
 
 // Says what the mesh leaves out.
-void warn_of_losses(const Domain& domain, const std::string& name) {
-    const auto warn = [&](DomainNumber of, const char* one, const char* many, const char* why) {
-        const auto count = static_cast<std::size_t>(domain.number(of));
+void warn_of_losses(const mgdt::Mesh& mesh, const std::string& name) {
+    const auto warn = [&](MeshStatistic of, const char* one, const char* many, const char* why) {
+        const auto count = static_cast<std::size_t>(mesh.statistic(of));
         if (count > 0)
             fmt::print(stderr, "mgdt: {}: warning: {} {}\n", name, counted(count, one, many), why);
     };
-    warn(DomainNumber::unused_faces, "face of the surface", "faces of the surface",
+    warn(MeshStatistic::unused_faces, "face of the surface", "faces of the surface",
          "at no tetrahedron: what is open encloses nothing (mgdt validate shows open edges)");
-    warn(DomainNumber::unused_regions, "region", "regions", "outside of the mesh");
-    warn(DomainNumber::unused_holes, "hole", "holes", "in nothing that the facets enclose");
-    warn(DomainNumber::unused_points, "point", "points", "in no tetrahedron");
+    warn(MeshStatistic::unused_regions, "region", "regions", "outside of the mesh");
+    warn(MeshStatistic::unused_holes, "hole", "holes", "in nothing that the facets enclose");
+    warn(MeshStatistic::unused_points, "point", "points", "in no tetrahedron");
 }
 
 // Adds the faces that are at a tetrahedron.
-void add_faces(const Domain& domain, Mesh& mesh) {
-    const std::vector<MeshIndex> corners = domain.array<MeshIndex>(DomainArray::faces),
-                                 tetrahedra = domain.array<MeshIndex>(DomainArray::face_tetrahedra),
-                                 markers = domain.array<MeshIndex>(DomainArray::face_markers);
+void add_faces(const mgdt::Mesh& made, Mesh& mesh) {
+    const std::vector<MeshIndex> corners = made.array<MeshIndex>(MeshArray::faces),
+                                 tetrahedra = made.array<MeshIndex>(MeshArray::face_tetrahedra),
+                                 markers = made.array<MeshIndex>(MeshArray::face_markers);
     for (std::size_t f = 0; f < markers.size(); ++f) {
         const MeshIndex front = tetrahedra[2 * f], back = tetrahedra[2 * f + 1],
                         t = back >= 0 ? back : front;
@@ -152,18 +162,18 @@ void add_faces(const Domain& domain, Mesh& mesh) {
 }
 
 // The mesh, with the points that were read first.
-Mesh mesh_of(const Domain& domain) {
+Mesh mesh_of(const mgdt::Mesh& made) {
     Mesh mesh;
     mesh.has_tetrahedra = true;
-    const std::vector<Point> points = domain.points();
+    const std::vector<Point> points = made.points();
     mesh.points.reserve(3 * points.size());
     for (const Point& p : points) mesh.points.insert(mesh.points.end(), p.begin(), p.end());
-    mesh.tetrahedra = domain.array<MeshIndex>(DomainArray::tetrahedra);
-    mesh.neighbors = domain.array<MeshIndex>(DomainArray::neighbors);
-    const std::vector<MeshIndex> markers = domain.array<MeshIndex>(DomainArray::region_markers);
-    for (const MeshIndex region : domain.array<MeshIndex>(DomainArray::regions))
+    mesh.tetrahedra = made.array<MeshIndex>(MeshArray::tetrahedra);
+    mesh.neighbors = made.array<MeshIndex>(MeshArray::neighbors);
+    const std::vector<MeshIndex> markers = made.array<MeshIndex>(MeshArray::region_markers);
+    for (const MeshIndex region : made.array<MeshIndex>(MeshArray::tetrahedron_regions))
         mesh.regions.push_back(markers[static_cast<std::size_t>(region)]);
-    add_faces(domain, mesh);
+    add_faces(made, mesh);
     return mesh;
 }
 
@@ -198,11 +208,11 @@ int mesh_surface(const MeshOptions& options) {
         n_facets = input.facets.size();
         n_points = input.point_count();
         Domain domain = make_domain(input, options.threads, options.memory_limit, name);
-        build(domain, name, options);
-        n_steiner = static_cast<std::size_t>(domain.number(DomainNumber::steiner_points));
-        n_regions = static_cast<std::size_t>(domain.number(DomainNumber::regions));
-        if (!options.quiet) warn_of_losses(domain, name);
-        mesh = mesh_of(domain);
+        const mgdt::Mesh made = build(domain, name, options);
+        n_steiner = static_cast<std::size_t>(made.statistic(MeshStatistic::steiner_points));
+        n_regions = static_cast<std::size_t>(made.statistic(MeshStatistic::regions));
+        if (!options.quiet) warn_of_losses(made, name);
+        mesh = mesh_of(made);
         mesh.faces.names = input.facets.names;
         write = options_after(input, &format, output.write);
     }

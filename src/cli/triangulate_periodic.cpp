@@ -30,7 +30,8 @@ void print_statistics(std::FILE* out, const Periodic& box) {
                  {"images triangulated", PeriodicNumber::images},
                  {"rounds", PeriodicNumber::rounds},
                  {"memory bytes", PeriodicNumber::memory_bytes}};
-    for (const auto& line : lines) fmt::print(out, "{:<28} {}\n", line.name, box.number(line.key));
+    for (const auto& line : lines)
+        fmt::print(out, "{:<28} {}\n", line.name, box.statistic(line.key));
 }
 
 // Sets the tetrahedra of a mesh, whose points get the images that are corners. Returns the images.
@@ -123,7 +124,7 @@ int triangulate_in_box(const TriangulateOptions& options) {
     const Periodic box = make_periodic(options.periodic, options.triangulation, mesh, name);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const auto count = static_cast<std::size_t>(box.number(PeriodicNumber::tetrahedra));
+    const auto count = static_cast<std::size_t>(box.statistic(PeriodicNumber::tetrahedra));
     const std::size_t points = mesh.point_count();
     if (count == 0 && points > 0 && !options.triangulation.quiet)
         fmt::print(stderr, "mgdt: {}: the points do not span space, so there are no tetrahedra\n",

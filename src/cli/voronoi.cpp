@@ -18,10 +18,10 @@ namespace {
 // The arrays of a diagram that the outputs need.
 struct Cells {
     explicit Cells(const Voronoi& v)
-        : vertices(v.numbers(VoronoiNumbers::vertices)),
-          areas(v.numbers(VoronoiNumbers::face_areas)),
-          volumes(v.numbers(VoronoiNumbers::cell_volumes)),
-          centroids(v.numbers(VoronoiNumbers::cell_centroids)),
+        : vertices(v.doubles(VoronoiDoubles::vertices)),
+          areas(v.doubles(VoronoiDoubles::face_areas)),
+          volumes(v.doubles(VoronoiDoubles::cell_volumes)),
+          centroids(v.doubles(VoronoiDoubles::cell_centroids)),
           face_offsets(v.array(VoronoiArray::face_offsets)),
           corners(v.array(VoronoiArray::face_corners)),
           sides(v.array(VoronoiArray::face_sides)),

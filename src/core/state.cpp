@@ -2,10 +2,9 @@
 #include "core/state.hpp"
 
 #include <algorithm>
-#include <thread>
 
 #include "kernel/circumsphere.hpp"
-#include "parallel/team.hpp"
+#include "parallel/thread_count.hpp"
 
 namespace mgdt {
 
@@ -24,10 +23,7 @@ State::State(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
 }
 
 unsigned State::threads_for(std::size_t work, std::size_t min_per_thread) const noexcept {
-    std::size_t threads = static_cast<std::size_t>(settings.threads);
-    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    return Team::threads_for(work, min_per_thread,
-                             static_cast<unsigned>(std::min<std::size_t>(threads, Team::most)));
+    return Team::threads_for(work, min_per_thread, thread_count(settings));
 }
 
 void State::clear() noexcept {

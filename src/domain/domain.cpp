@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <thread>
 
-#include "domain/mesh_check.hpp"
+#include "domain/mesh_comparison.hpp"
+#include "parallel/thread_count.hpp"
 #include "platform/objects.hpp"
 
 namespace mgdt {
@@ -34,14 +34,6 @@ void Domain::clear() noexcept {
 void Domain::forget_results() noexcept {
     offences_.reset();
     open_edges_.reset();
-    forget_mesh();
-}
-
-void Domain::forget_mesh() noexcept {
-    mesh_ = DomainMesh(allocator_);
-    has_mesh_ = false;
-    facet_counts_ = FacetCounts();
-    planar_facets_ = 0;
 }
 
 void Domain::set_points(Buffer<double>&& points) noexcept {
@@ -67,22 +59,6 @@ void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& m
     input_.segment_markers = std::move(markers);
 }
 
-void Domain::add_region(const DomainInput::Place& place) {
-    input_.regions.push_back(place);
-    forget_results();
-}
-
-void Domain::add_hole(const DomainInput::Place& place) {
-    input_.holes.push_back(place);
-    forget_results();
-}
-
-unsigned Domain::threads() const noexcept {
-    if (settings_.threads > 0)
-        return std::min(static_cast<unsigned>(settings_.threads), Team::most);
-    return std::min(std::max(1u, std::thread::hardware_concurrency()), Team::most);
-}
-
 void Domain::validate() {
     const StopFlag::Call call(stop_);
     forget_results();
@@ -94,7 +70,7 @@ void Domain::validate() {
 // Writes the pairs that offend as the caller's items, and throws if there are any.
 void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const char* where) {
     const Boundary& boundary = complex.boundary;
-    Team team(threads());
+    Team team(thread_count(settings_));
     const Buffer<OffendingPair> pairs =
         offending_pairs(boundary, team, allocator_, stop_.request());
     const auto item = [&](std::size_t i) -> Offence::Item {
@@ -150,8 +126,8 @@ void Domain::fail_open() const {
          number(e.facet), number(e.ends[0]), number(e.ends[1]), open_edges_.size());
 }
 
-void Domain::check() const {
-    check_mesh(input_, mesh_, settings_.index_base, allocator_);
+void Domain::check(const DomainMesh& mesh) const {
+    compare_mesh(input_, mesh, settings_.index_base, allocator_);
 }
 
 // Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
@@ -175,29 +151,22 @@ void Domain::round(const RoundingGrid& grid, Complex& complex) {
     require_valid(complex, MGDT_ERR_RESOLUTION, where);
 }
 
-void Domain::build() {
+void Domain::build(DomainMesh& mesh) {
     const StopFlag::Call call(stop_);
     StageProgress progress(settings_, stop_);
     forget_results();
-    try {
-        run(progress);
-    } catch (...) {
-        // The offences and the open edges stay: they tell why.
-        forget_mesh();
-        throw;
-    }
-    has_mesh_ = true;
+    run(progress, mesh);
     progress.finish();
 }
 
-void Domain::run(StageProgress& progress) {
+void Domain::run(StageProgress& progress, DomainMesh& mesh) {
     progress.enter(0, 0);
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
     open_edges_ = mgdt::open_edges(complex, allocator_);
     const auto try_again = [&](int bits, bool avoids_short_parts, bool may_take_long) {
         return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts, may_take_long,
-                       make_complex(input_, allocator_), progress);
+                       make_complex(input_, allocator_), progress, mesh);
     };
     const auto forgive = [&](const Error& e) {
         if (e.status != MGDT_ERR_RESOLUTION) throw;
@@ -206,8 +175,8 @@ void Domain::run(StageProgress& progress) {
     int bits = RoundingGrid::usual_bits;
     Stuck stuck;
     try {
-        stuck =
-            mesh_on(RoundingGrid(input_.points, bits), false, false, std::move(complex), progress);
+        stuck = mesh_on(RoundingGrid(input_.points, bits), false, false, std::move(complex),
+                        progress, mesh);
     } catch (const Error& e) {
         // Rounding has made the boundary invalid: it has fine details, or a stray point far away.
         forgive(e);
@@ -254,13 +223,13 @@ void Domain::run(StageProgress& progress) {
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
 // more finely than doubles can, there is no mesh, and the result is its ends.
 Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
-                              Complex complex, StageProgress& progress) {
+                              Complex complex, StageProgress& progress, DomainMesh& mesh) {
     const StopRequest stop = stop_.request();
-    forget_mesh();
+    mesh = DomainMesh(mesh.points.allocator());
     progress.enter(0, 0.1);
     round(grid, complex);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
-    planar_facets_ = facets.facets.size();
+    mesh.planar_facets = facets.facets.size();
 
     // A triangulation is too large for the stack.
     Objects<Triangulation> place(allocator_, 1, &Allocator::allocate_from, &Allocator::release_to,
@@ -288,42 +257,42 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
         return StuckSegment{{end(0), end(1)}, segments.takes_long, segments.steiner.size()};
     }
     progress.enter(0.8, 0.9);
-    ConstrainedMesh mesh(triangulation, points, allocator_);
+    ConstrainedMesh constrained(triangulation, points, allocator_);
     triangulation.clear();
     triangulation.shrink();
     if (!segments.parts.empty())
-        facet_counts_ = insert_facets(mesh, facets, segments.parts, allocator_, stop);
+        mesh.facet_counts = insert_facets(constrained, facets, segments.parts, allocator_, stop);
     progress.enter(0.9, 1);
-    Regions found = find_regions(mesh, grid, input_.regions, input_.holes, allocator_);
+    Regions found = find_regions(constrained, grid, input_.regions, input_.holes, allocator_);
     if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
     if (found.has_inside && found.markers.empty())
         fail(MGDT_ERR_OPEN_BOUNDARY, "all that the facets enclose are holes");
-    assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
-             settings_.rounds_points, allocator_, mesh_);
-    if (settings_.is_strict) require_all_used();
+    assemble({input_, complex, facets, grid, constrained, segments.parts, segments.steiner, found},
+             settings_.rounds_points, allocator_, mesh);
+    if (settings_.is_strict) require_all_used(mesh);
     return std::nullopt;
 }
 
-void Domain::require_all_used() const {
+void Domain::require_all_used(const DomainMesh& mesh) const {
     const auto number = [&](std::uint32_t index) {
         return static_cast<long long>(index) + settings_.index_base;
     };
     std::uint32_t facet = DomainMesh::none;
-    for (const std::uint32_t f : mesh_.unused_faces) facet = std::min(facet, mesh_.face_facets[f]);
+    for (const std::uint32_t f : mesh.unused_faces) facet = std::min(facet, mesh.face_facets[f]);
     if (facet != DomainMesh::none)
         fail(MGDT_ERR_OPEN_BOUNDARY,
              "facet %lld bounds nothing: it has a face without a tetrahedron, as %zu faces have",
-             number(facet), mesh_.unused_faces.size());
-    if (!mesh_.unused_regions.empty())
+             number(facet), mesh.unused_faces.size());
+    if (!mesh.unused_regions.empty())
         fail(MGDT_ERR_INVALID_ARGUMENT, "the place of region %lld is in no region of the mesh",
-             number(mesh_.unused_regions[0]));
-    if (!mesh_.unused_holes.empty())
+             number(mesh.unused_regions[0]));
+    if (!mesh.unused_holes.empty())
         fail(MGDT_ERR_INVALID_ARGUMENT, "hole %lld is in nothing that the facets enclose",
-             number(mesh_.unused_holes[0]));
-    if (!mesh_.unused_points.empty())
+             number(mesh.unused_holes[0]));
+    if (!mesh.unused_points.empty())
         fail(MGDT_ERR_INVALID_ARGUMENT,
              "point %lld is a corner of no tetrahedron, as %zu points are",
-             number(mesh_.unused_points[0]), mesh_.unused_points.size());
+             number(mesh.unused_points[0]), mesh.unused_points.size());
 }
 
 }  // namespace mgdt

@@ -50,28 +50,30 @@ class Domain {
         : allocator_(alloc, release, user),
           input_(allocator_),
           offences_(allocator_),
-          open_edges_(allocator_),
-          mesh_(allocator_) {}
+          open_edges_(allocator_) {}
 
-    // Setting points removes facets and segments; every change removes the results.
+    // Setting points removes facets and segments. A change of points, facets or segments removes
+    // the offences and the open edges.
     void set_points(Buffer<double>&& points) noexcept;
     void set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& corners,
                     Buffer<std::int32_t>&& markers) noexcept;
     void set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& markers) noexcept;
-    void add_region(const DomainInput::Place& place);
-    void add_hole(const DomainInput::Place& place);
+    void set_regions(Buffer<DomainInput::Place>&& places) noexcept {
+        input_.regions = std::move(places);
+    }
+    void set_holes(Buffer<DomainInput::Place>&& places) noexcept {
+        input_.holes = std::move(places);
+    }
 
     // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
     void validate();
-    // Validates and makes the mesh. Throws MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing,
-    // Error and std::bad_alloc; there is no mesh then.
-    void build();
-    // Throws MGDT_ERR_CHECK_FAILED if the mesh has a defect.
-    void check() const;
+    // Validates and makes the mesh, of which nothing is left if the call throws:
+    // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, Error and std::bad_alloc.
+    void build(DomainMesh& mesh);
+    // Throws MGDT_ERR_CHECK_FAILED if the mesh is not one of the domain.
+    void check(const DomainMesh& mesh) const;
     // Removes everything but the settings.
     void clear() noexcept;
-    // Removes the mesh, the offences and the open edges.
-    void forget_results() noexcept;
     StopFlag& stop() const noexcept { return stop_; }
 
     Allocator& allocator() const noexcept { return allocator_; }
@@ -81,18 +83,13 @@ class Domain {
     const DomainInput& input() const noexcept { return input_; }
     const Buffer<Offence>& offences() const noexcept { return offences_; }
     const Buffer<OpenEdge>& open_edges() const noexcept { return open_edges_; }
-    // Whether the last build has succeeded and nothing was changed since.
-    bool has_mesh() const noexcept { return has_mesh_; }
-    const DomainMesh& mesh() const noexcept { return mesh_; }
-    const FacetCounts& facet_counts() const noexcept { return facet_counts_; }
-    std::size_t planar_facets() const noexcept { return planar_facets_; }
 
   private:
-    void forget_mesh() noexcept;
-    void run(StageProgress& progress);
+    void forget_results() noexcept;
+    void run(StageProgress& progress, DomainMesh& mesh);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     [[noreturn]] void fail_open() const;
-    void require_all_used() const;
+    void require_all_used(const DomainMesh& mesh) const;
     void round(const RoundingGrid& grid, Complex& complex);
     // A segment that could not be divided often enough, or not soon enough.
     struct StuckSegment {
@@ -102,18 +99,13 @@ class Domain {
     };
     using Stuck = std::optional<StuckSegment>;
     Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
-                  Complex complex, StageProgress& progress);
-    unsigned threads() const noexcept;
+                  Complex complex, StageProgress& progress, DomainMesh& mesh);
 
     mutable Allocator allocator_;
     DomainSettings settings_;
     DomainInput input_;
     Buffer<Offence> offences_;
     Buffer<OpenEdge> open_edges_;
-    DomainMesh mesh_;
-    bool has_mesh_ = false;
-    FacetCounts facet_counts_;
-    std::size_t planar_facets_ = 0;
     mutable StopFlag stop_;
 };
 

@@ -17,7 +17,7 @@ class Assembly {
     void run(bool rounds) {
         write_tetrahedra();
         write_faces();
-        write_segments();
+        write_edges();
         write_steiner_points();
         write_unused();
         out_.is_rounded = rounds || !write_points(false);
@@ -155,7 +155,7 @@ class Assembly {
                 out_.unused_faces.push_back(f);
     }
 
-    void write_segments() {
+    void write_edges() {
         // The caller's segments, by their ends, to be found by those of a segment of the boundary.
         struct Source {
             std::uint32_t a, b, source;
@@ -177,11 +177,10 @@ class Assembly {
                 std::lower_bound(sources.begin(), sources.end(), Source{ends[0], ends[1], 0});
             const bool is_given =
                 found != sources.end() && found->a == ends[0] && found->b == ends[1];
-            out_.segments.push_back(index(s.ends[0]));
-            out_.segments.push_back(index(s.ends[1]));
-            out_.segment_sources.push_back(is_given ? found->source : none);
-            out_.segment_markers.push_back(is_given ? parts_.input.segment_markers[found->source]
-                                                    : 0);
+            out_.edges.push_back(index(s.ends[0]));
+            out_.edges.push_back(index(s.ends[1]));
+            out_.edge_segments.push_back(is_given ? found->source : none);
+            out_.edge_markers.push_back(is_given ? parts_.input.segment_markers[found->source] : 0);
         }
     }
 
@@ -200,12 +199,16 @@ class Assembly {
         const std::size_t distinct = parts_.complex.point_of_number.size();
         out_.points.clear();
         out_.exact_points.clear();
+        out_.point_origins.clear();
         for (std::size_t i = 0; i < parts_.input.points.size(); ++i) {
             const std::size_t v = parts_.complex.number_of_point[i / 3];
             const double x = parts_.mesh.points[3 * v + i % 3];
             out_.exact_points.push_back(x);
             out_.points.push_back(rounded ? parts_.grid.unround(x) : parts_.input.points[i]);
         }
+        for (const std::uint32_t v : parts_.complex.number_of_point)
+            out_.point_origins.push_back(parts_.complex.point_of_number[v]);
+        out_.point_origins.resize(out_.points.size() / 3 + parts_.steiner.size(), none);
         for (std::size_t i = 0; i < parts_.steiner.size(); ++i) {
             const double* const exact = parts_.mesh.points.begin() + 3 * (distinct + i);
             double x[3];
@@ -263,7 +266,7 @@ int DomainMesh::side(std::uint32_t t, const double* x) const noexcept {
 }
 
 void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out) {
-    out.grid_bits = parts.grid.bits();
+    out.grid = parts.grid;
     Assembly(parts, allocator, out).run(rounds);
 }
 

@@ -15,6 +15,7 @@ struct DomainMesh {
     explicit DomainMesh(Allocator& allocator)
         : points(allocator),
           exact_points(allocator),
+          point_origins(allocator),
           tetrahedra(allocator),
           neighbors(allocator),
           regions(allocator),
@@ -23,9 +24,9 @@ struct DomainMesh {
           face_tetrahedra(allocator),
           face_facets(allocator),
           face_markers(allocator),
-          segments(allocator),
-          segment_sources(allocator),
-          segment_markers(allocator),
+          edges(allocator),
+          edge_segments(allocator),
+          edge_markers(allocator),
           steiner_edges(allocator),
           steiner_parameters(allocator),
           unused_points(allocator),
@@ -44,26 +45,30 @@ struct DomainMesh {
 
     // The caller's points come first, then the Steiner points.
     Buffer<double> points;
-    Buffer<double> exact_points;            // those on the grid, in steps
-    Buffer<std::uint32_t> tetrahedra;       // 4 corners, positively oriented
-    Buffer<std::uint32_t> neighbors;        // 4: the one opposite each corner, or `none`
-    Buffer<std::uint32_t> regions;          // of each tetrahedron
-    Buffer<std::int32_t> region_markers;    // of each region
-    Buffer<std::uint32_t> faces;            // 3 corners; oriented like the facet
+    Buffer<double> exact_points;          // those on the grid, in steps
+    Buffer<std::uint32_t> point_origins;  // the caller's point, of equal ones the first; or `none`
+    Buffer<std::uint32_t> tetrahedra;     // 4 corners, positively oriented
+    Buffer<std::uint32_t> neighbors;      // 4: the one opposite each corner, or `none`
+    Buffer<std::uint32_t> regions;        // of each tetrahedron
+    Buffer<std::int32_t> region_markers;  // of each region
+    Buffer<std::uint32_t> faces;          // 3 corners; oriented like the facet
     Buffer<std::uint32_t> face_tetrahedra;  // 2: the one that the normal points to, and the other
     Buffer<std::uint32_t> face_facets;      // the caller's facet
     Buffer<std::int32_t> face_markers;
-    Buffer<std::uint32_t> segments;         // 2 ends
-    Buffer<std::uint32_t> segment_sources;  // the caller's segment, or `none`
-    Buffer<std::int32_t> segment_markers;
+    Buffer<std::uint32_t> edges;          // 2 ends of each edge that is a part of a segment
+    Buffer<std::uint32_t> edge_segments;  // the caller's segment, or `none`
+    Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
     bool is_rounded = false;              // whether the caller's points are rounded to the grid
-    int grid_bits = 0;                    // of the grid; 0 if there is no mesh
+    RoundingGrid grid{0.0, RoundingGrid::usual_bits};
     // What the caller has set and the mesh has no part of, as the caller's numbers: points that
     // neither are a corner of a tetrahedron nor equal to one, places of regions, holes; and faces
     // without a tetrahedron, as numbers of faces.
     Buffer<std::uint32_t> unused_points, unused_regions, unused_holes, unused_faces;
+    // How the build has proceeded.
+    std::size_t planar_facets = 0;
+    FacetCounts facet_counts;
 };
 
 // What the stages of a build have found.

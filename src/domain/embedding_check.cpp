@@ -79,9 +79,8 @@ class Sheets {
 
 class EmbeddingCheck {
   public:
-    EmbeddingCheck(const Complex& complex, const DomainMesh& mesh, std::int32_t base,
-                   Allocator& allocator)
-        : complex_(complex), mesh_(mesh), allocator_(allocator), base_(base) {}
+    EmbeddingCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator)
+        : mesh_(mesh), allocator_(allocator), base_(base) {}
 
     void run() {
         Buffer<Simplex> outside(allocator_);
@@ -126,8 +125,8 @@ class EmbeddingCheck {
         Buffer<std::uint8_t> is_corner(allocator_);
         is_corner.resize(mesh_.points.size() / 3, std::uint8_t{0});
         PairTable segments(allocator_);
-        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
-            segments.add(mesh_.segments[s], mesh_.segments[s + 1]);
+        for (std::size_t s = 0; s < mesh_.edges.size(); s += 2)
+            segments.add(mesh_.edges[s], mesh_.edges[s + 1]);
         Buffer<std::uint8_t> is_edge(allocator_);
         is_edge.resize(segments.size(), std::uint8_t{0});
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); t += 4) {
@@ -139,13 +138,13 @@ class EmbeddingCheck {
                         is_edge[s] = 1;
             }
         }
-        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
-            if (is_edge[segments.find(mesh_.segments[s], mesh_.segments[s + 1])] == 0)
-                outside.push_back(simplex(mesh_.segments.begin() + s, 2));
+        for (std::size_t s = 0; s < mesh_.edges.size(); s += 2)
+            if (is_edge[segments.find(mesh_.edges[s], mesh_.edges[s + 1])] == 0)
+                outside.push_back(simplex(mesh_.edges.begin() + s, 2));
         for (std::uint32_t p = 0; p < is_corner.size(); ++p) {
             // Of equal points, the first one stands for all.
-            const bool is_first = p >= complex_.number_of_point.size() ||
-                                  complex_.point_of_number[complex_.number_of_point[p]] == p;
+            const std::uint32_t origin = mesh_.point_origins[p];
+            const bool is_first = origin == p || origin == DomainMesh::none;
             if (is_corner[p] == 0 && is_first) outside.push_back(simplex(&p, 1));
         }
     }
@@ -191,7 +190,6 @@ class EmbeddingCheck {
         return is_inside && std::find(v, v + 4, s.number[0]) == v + 4;
     }
 
-    const Complex& complex_;
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int32_t base_;
@@ -199,9 +197,8 @@ class EmbeddingCheck {
 
 }  // namespace
 
-void check_embedding(const Complex& complex, const DomainMesh& mesh, std::int32_t index_base,
-                     Allocator& allocator) {
-    EmbeddingCheck(complex, mesh, index_base, allocator).run();
+void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator) {
+    EmbeddingCheck(mesh, index_base, allocator).run();
 }
 
 }  // namespace mgdt

@@ -140,7 +140,8 @@ int main(void) {
                   {"progress", test_progress}, {"environment", test_environment},
                   {"isa", test_isa},           {"compact", test_compact},
                   {"busy", test_busy},         {"voronoi", test_voronoi},
-                  {"domain", test_domain},     {"periodic", test_periodic}};
+                  {"domain", test_domain},     {"mesh", test_mesh},
+                  {"periodic", test_periodic}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {
         const int passed_before = passed, failed_before = failed;

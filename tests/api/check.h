@@ -52,6 +52,7 @@ void test_changes(void);
 void test_cells(void);
 void test_voronoi(void);
 void test_domain(void);
+void test_mesh(void);
 void test_dual(void);
 void test_memory(void);
 void test_parts(void);

@@ -72,7 +72,7 @@ double of_mgdt(const std::vector<double>& xyz, const Box& box) {
 double of_diagram(const std::vector<double>& xyz, const Box& box) {
     const mgdt::Voronoi diagram(triangulation_of(xyz), planes_of(box));
     double sum = 0;
-    for (const double v : diagram.numbers(mgdt::VoronoiNumbers::cell_volumes)) sum += v;
+    for (const double v : diagram.doubles(mgdt::VoronoiDoubles::cell_volumes)) sum += v;
     return sum;
 }
 
@@ -94,7 +94,7 @@ double of_periodic(const std::vector<double>& xyz, const Box& box) {
 double of_periodic_diagram(const std::vector<double>& xyz, const Box& box) {
     const mgdt::Voronoi diagram = periodic_of(xyz, box).voronoi();
     double sum = 0;
-    for (const double v : diagram.numbers(mgdt::VoronoiNumbers::cell_volumes)) sum += v;
+    for (const double v : diagram.doubles(mgdt::VoronoiDoubles::cell_volumes)) sum += v;
     return sum;
 }
 

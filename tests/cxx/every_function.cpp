@@ -83,13 +83,13 @@ bool calls_voronoi(const std::vector<mgdt::Point>& points) {
         t, {{1, 0, 0, 9}, {-1, 0, 0, 9}, {0, 1, 0, 9}, {0, -1, 0, 9}, {0, 0, 1, 9}, {0, 0, -1, 9}});
     const auto sides = cut.array(mgdt::VoronoiArray::face_sides);
     const auto narrow = cut.array<std::int32_t>(mgdt::VoronoiArray::face_sides);
-    const auto areas = cut.numbers(mgdt::VoronoiNumbers::face_areas);
+    const auto areas = cut.doubles(mgdt::VoronoiDoubles::face_areas);
     if (sides.size() != 2 * areas.size() || narrow.size() != sides.size()) return false;
-    if (cut.points(mgdt::VoronoiNumbers::face_normals).size() != areas.size()) return false;
+    if (cut.points(mgdt::VoronoiDoubles::face_normals).size() != areas.size()) return false;
     if (whole.size(mgdt::VoronoiArray::ray_vertices) == 0) return false;
-    if (whole.size(mgdt::VoronoiNumbers::cell_volumes) != points.size()) return false;
+    if (whole.size(mgdt::VoronoiDoubles::cell_volumes) != points.size()) return false;
     cut.drop_small_faces(1e9);
-    if (cut.size(mgdt::VoronoiNumbers::face_areas) != 0 || !cut.last_error().empty()) return false;
+    if (cut.size(mgdt::VoronoiDoubles::face_areas) != 0 || !cut.last_error().empty()) return false;
     swap(whole, cut);
     mgdt::Voronoi again(whole.release());
     return !whole && again && again.handle() != nullptr;
@@ -110,28 +110,39 @@ bool calls_domain() {
                       std::vector<std::int32_t>{1, 2, 3, 4});
     domain.set_triangles(corners);
     domain.set_segments(std::vector<std::int64_t>{0, 4});
-    domain.add_region({0.1, 0.1, 0.1}, 9);
+    const std::vector<mgdt::Point> places{{0.1, 0.1, 0.1}};
+    domain.set_regions(places, std::vector<std::int32_t>{9});
     domain.validate();
-    domain.build();
-    domain.check();
+    mgdt::Mesh mesh = domain.build();
+    int heard_of_mesh = 0;
+    mesh.set_progress([&](double) { ++heard_of_mesh; });
+    mesh.check();
+    domain.check(mesh);
     domain.clear_progress();
-    if (heard == 0 || domain.number(mgdt::DomainNumber::tetrahedra) != 4) return false;
-    if (domain.array(mgdt::DomainArray::tetrahedra).size() != 16) return false;
-    if (domain.array<std::int32_t>(mgdt::DomainArray::region_markers).at(0) != 9) return false;
-    if (domain.points() != points || !domain.steiner_parameters().empty()) return false;
-    domain.add_hole({0.1, 0.1, 0.1});
+    mesh.clear_progress();
+    if (heard == 0 || mesh.statistic(mgdt::MeshStatistic::tetrahedra) != 4) return false;
+    if (domain.statistic(mgdt::DomainStatistic::facets) != 4) return false;
+    if (mesh.array(mgdt::MeshArray::tetrahedra).size() != 16) return false;
+    if (mesh.columns(mgdt::MeshArray::tetrahedra) != 4) return false;
+    if (mesh.columns(mgdt::MeshDoubles::steiner_parameters) != 1) return false;
+    if (domain.columns(mgdt::DomainArray::open_edges) != 3) return false;
+    if (mesh.array<std::int32_t>(mgdt::MeshArray::region_markers).at(0) != 9) return false;
+    if (mesh.points() != points || mesh.size(mgdt::MeshDoubles::steiner_parameters) != 0)
+        return false;
+    if (mesh.tetrahedron_measures(mgdt::TetrahedronMeasure::volume).size() != 4) return false;
+    mesh.set_option(mgdt::MeshOption::index_base, 1);
+    if (mesh.option(mgdt::MeshOption::index_base) != 1) return false;
+    mesh.cancel();
+    mgdt::Mesh same(mesh.release());
+    swap(mesh, same);
+    if (!mesh || same || !mesh.last_error().empty()) return false;
+    domain.set_holes(places);
     domain.set_option(mgdt::DomainOption::strict, 1);
     try {
-        domain.build();
+        (void)domain.build();
         return false;
     } catch (const mgdt::Error& e) {
         if (e.status() != MGDT_ERR_OPEN_BOUNDARY) return false;
-    }
-    try {
-        (void)domain.array(mgdt::DomainArray::tetrahedra);
-        return false;
-    } catch (const mgdt::Error& e) {
-        if (e.status() != MGDT_ERR_NOT_BUILT) return false;
     }
     try {
         domain.set_triangles(corners, std::vector<std::int32_t>{1});
@@ -141,7 +152,7 @@ bool calls_domain() {
     }
     domain.set_triangles(std::vector<std::int64_t>{0, 1, 1});
     try {
-        domain.build();
+        (void)domain.build();
         return false;
     } catch (const mgdt::Error& e) {
         if (e.status() != MGDT_ERR_INVALID_BOUNDARY || domain.last_error() != e.what())
@@ -171,7 +182,7 @@ bool calls_periodic() {
     box.build();
     box.check();
     box.clear_progress();
-    if (heard == 0 || box.number(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    if (heard == 0 || box.statistic(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
     if (box.array(mgdt::PeriodicArray::tetrahedra).size() != 48) return false;
     if (box.array<std::int32_t>(mgdt::PeriodicArray::offsets).size() != 144) return false;
     if (box.points() != atoms || box.vectors() != vectors) return false;
@@ -179,13 +190,13 @@ bool calls_periodic() {
     if (box.cell_measures(mgdt::Measure::centroid).size() != 6) return false;
     const mgdt::Voronoi cells = box.voronoi();
     if (cells.array(mgdt::VoronoiArray::face_images).size() !=
-        3 * cells.size(mgdt::VoronoiNumbers::face_areas))
+        3 * cells.size(mgdt::VoronoiDoubles::face_areas))
         return false;
     box.move(atoms);
     box.move(std::vector<std::int64_t>{1}, std::vector<mgdt::Point>{{1, 1, 3}});
     box.move(std::vector<std::int64_t>{}, std::vector<mgdt::Point>{});
     box.build();
-    if (box.number(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    if (box.statistic(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
     try {
         box.move(std::vector<std::int64_t>{1}, atoms);
         return false;

@@ -93,7 +93,7 @@ def by_rules_of_msvc(source, folder, compile_):
     """No extension of GNU's is in the headers: C's are compiled for Microsoft's systems, without their C
     library, and C++'s with Microsoft's rules, but with this system's C++ library."""
     c, both = folder / "both.c", ["-Wgnu", "-fsyntax-only"]
-    c.write_text("#include <mgdt/mgdt.h>\n#include <mgdt/mgdt_domain.h>\n#include <mgdt/mgdt_parts.h>\n#include <mgdt/mgdt_periodic.h>\n#include <mgdt/mgdt_voronoi.h>\n")
+    c.write_text("#include <mgdt/mgdt.h>\n#include <mgdt/mgdt_domain.h>\n#include <mgdt/mgdt_mesh.h>\n#include <mgdt/mgdt_parts.h>\n#include <mgdt/mgdt_periodic.h>\n#include <mgdt/mgdt_voronoi.h>\n")
     clang = "clang"
     for processor in ("x86_64", "aarch64"):
         target = [f"--target={processor}-pc-windows-msvc", "-ffreestanding", *both, "-x"]

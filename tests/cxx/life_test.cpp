@@ -116,7 +116,7 @@ void expect_moved_from(Triangulation& t) {
     try {
         c.check();
     } catch (const mgdt::Error& error) {
-        EXPECT_STREQ(error.what(), "the triangulation was moved from");
+        EXPECT_STREQ(error.what(), "the object was moved from");
     }
 }
 

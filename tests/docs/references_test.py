@@ -63,7 +63,7 @@ def missing_sources(source, text):
 def main():
     source, documents = Path(sys.argv[1]), [Path(p) for p in sys.argv[2:]]
     header = "".join((source / "include" / "mgdt" / name).read_text(encoding="utf-8")
-                     for name in ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h", "mgdt_periodic.h"))
+                     for name in ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h", "mgdt_mesh.h", "mgdt_periodic.h"))
     functions = set(re.findall(r"^MGDT_API\b[^;(]*?\b(mgdt_\w+)\s*\(", header, flags=re.M))
     all_headers = "".join(p.read_text(encoding="utf-8") for p in (source / "include" / "mgdt").glob("*.h"))
     known = set(re.findall(r"\b(?:mgdt|MGDT)_\w+\b", all_headers))

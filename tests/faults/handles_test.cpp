@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The allocators of domains, boxes, parts and diagrams refuse: every request of every call.
+// The allocators of domains, meshes, boxes, parts and diagrams refuse: every request of every call.
 #include <mgdt/mgdt_domain.h>
 #include <mgdt/mgdt_parts.h>
 #include <mgdt/mgdt_periodic.h>
@@ -36,7 +36,7 @@ struct Statuses {
     }
 };
 
-constexpr std::int32_t most_keys = 128;
+constexpr std::int32_t most_keys = 400;
 
 // Reads all arrays of integers and of doubles that a handle has.
 template <class Size, class Integers, class Doubles>
@@ -64,6 +64,35 @@ mgdt_status read_arrays_of(
                        [&](auto k, auto n, auto* x) { return doubles(h, k, n, x); });
 }
 
+template <class Read>
+mgdt_status read_measures(std::int64_t n, const Read& read) {
+    Statuses found;
+    std::vector<double> values(3 * static_cast<std::size_t>(n));
+    for (std::int32_t key = 0; key < most_keys; ++key)
+        found.add(read(key, static_cast<std::int64_t>(values.size()), values.data()));
+    return found.worst;
+}
+
+// Makes a mesh, checks it and reads it. A refusal leaves no mesh.
+mgdt_status make_mesh(mgdt_domain* d) {
+    mgdt_mesh* m = nullptr;
+    const mgdt_status status = mgdt_domain_build(d, &m);
+    if (status != MGDT_OK) {
+        EXPECT_EQ(m, nullptr);
+        return status;
+    }
+    Statuses found;
+    found.add(mgdt_mesh_check(m));
+    found.add(mgdt_domain_check(d, m));
+    found.add(read_arrays_of<mgdt_mesh>(m, mgdt_mesh_get_size, mgdt_mesh_get_array,
+                                        mgdt_mesh_get_doubles));
+    found.add(read_measures(100, [&](auto k, auto n, auto* x) {
+        return mgdt_mesh_get_tetrahedron_measures(m, k, n, x);
+    }));
+    mgdt_mesh_destroy(m);
+    return found.worst;
+}
+
 Kind domain() {
     static const double points[] = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 4, 4, 0,
                                     4, 4, 4, 4, 0, 4, 4, 1, 1, 2, 3, 1, 2, 1, 3, 2};
@@ -74,45 +103,30 @@ Kind domain() {
     static const std::int64_t segment[] = {0, 6};
     static const double place[] = {1, 1, 1}, nowhere[] = {9, 9, 9};
     const auto d = [](void* h) { return static_cast<mgdt_domain*>(h); };
-    return {"domain",
-            [](void** out) {
-                return mgdt_domain_create_with_allocator(handle_take, handle_give, nullptr,
-                                                         reinterpret_cast<mgdt_domain**>(out));
-            },
-            [d](void* h) { mgdt_domain_destroy(d(h)); },
-            {{"set_points", [d](void* h) { return mgdt_domain_set_points(d(h), 11, points); }},
-             {"set_facets",
-              [d](void* h) { return mgdt_domain_set_facets(d(h), 7, offsets, corners, markers); }},
-             {"set_segments",
-              [d](void* h) { return mgdt_domain_set_segments(d(h), 1, segment, markers); }},
-             {"add_region", [d](void* h) { return mgdt_domain_add_region(d(h), place, 3); }},
-             {"add_hole", [d](void* h) { return mgdt_domain_add_hole(d(h), nowhere); }},
-             // The segment crosses the triangle.
-             {"validate",
-              [d](void* h) {
-                  const mgdt_status s = mgdt_domain_validate(d(h));
-                  return s == MGDT_ERR_INVALID_BOUNDARY ? MGDT_OK : s;
-              }},
-             {"set no segments",
-              [d](void* h) { return mgdt_domain_set_segments(d(h), 0, nullptr, nullptr); }, false},
-             {"build", [d](void* h) { return mgdt_domain_build(d(h)); }},
-             {"check", [d](void* h) { return mgdt_domain_check(d(h)); }},
-             {"arrays",
-              [d](void* h) {
-                  return read_arrays_of<mgdt_domain>(
-                      d(h), mgdt_domain_get_size, mgdt_domain_get_array, mgdt_domain_get_doubles);
-              },
-              false},
-             {"clear", [d](void* h) { return mgdt_domain_clear(d(h)); }, false}}};
-}
-
-template <class Read>
-mgdt_status read_measures(std::int64_t n, const Read& read) {
-    Statuses found;
-    std::vector<double> values(3 * static_cast<std::size_t>(n));
-    for (std::int32_t key = 0; key < most_keys; ++key)
-        found.add(read(key, static_cast<std::int64_t>(values.size()), values.data()));
-    return found.worst;
+    return {
+        "domain",
+        [](void** out) {
+            return mgdt_domain_create_with_allocator(handle_take, handle_give, nullptr,
+                                                     reinterpret_cast<mgdt_domain**>(out));
+        },
+        [d](void* h) { mgdt_domain_destroy(d(h)); },
+        {{"set_points", [d](void* h) { return mgdt_domain_set_points(d(h), 11, points); }},
+         {"set_facets",
+          [d](void* h) { return mgdt_domain_set_facets(d(h), 7, offsets, corners, markers); }},
+         {"set_segments",
+          [d](void* h) { return mgdt_domain_set_segments(d(h), 1, segment, markers); }},
+         {"set_regions", [d](void* h) { return mgdt_domain_set_regions(d(h), 1, place, markers); }},
+         {"set_holes", [d](void* h) { return mgdt_domain_set_holes(d(h), 1, nowhere); }},
+         // The segment crosses the triangle.
+         {"validate",
+          [d](void* h) {
+              const mgdt_status s = mgdt_domain_validate(d(h));
+              return s == MGDT_ERR_INVALID_BOUNDARY ? MGDT_OK : s;
+          }},
+         {"set no segments",
+          [d](void* h) { return mgdt_domain_set_segments(d(h), 0, nullptr, nullptr); }, false},
+         {"mesh", [d](void* h) { return make_mesh(d(h)); }},
+         {"clear", [d](void* h) { return mgdt_domain_clear(d(h)); }, false}}};
 }
 
 mgdt_status read_diagram(mgdt_voronoi* v) {

@@ -383,10 +383,20 @@ void domains(Meter& meter) {
         const mgdt_status status = mgdt_domain_validate(d);
         meter(
             "mgdt_domain_validate", [&] { return mgdt_domain_validate(d); }, status);
-        const mgdt_status built = mgdt_domain_build(d);
+        mgdt_mesh* m = nullptr;
+        const mgdt_status built = mgdt_domain_build(d, &m);
         meter(
-            "mgdt_domain_build", [&] { return mgdt_domain_build(d); }, built);
-        if (built == MGDT_OK) meter("mgdt_domain_check", [&] { return mgdt_domain_check(d); });
+            "mgdt_domain_build",
+            [&] {
+                mgdt_mesh_destroy(m);
+                return mgdt_domain_build(d, &m);
+            },
+            built);
+        if (built == MGDT_OK) {
+            meter("mgdt_mesh_check", [&] { return mgdt_mesh_check(m); });
+            meter("mgdt_domain_check", [&] { return mgdt_domain_check(d, m); });
+        }
+        mgdt_mesh_destroy(m);
         mgdt_domain_destroy(d);
         EXPECT_EQ(status == MGDT_OK, built == MGDT_OK || built == MGDT_ERR_RESOLUTION ||
                                          built == MGDT_ERR_OPEN_BOUNDARY);

@@ -2,7 +2,7 @@
 # Compiles and runs the bindings and their tests with the flags of a caller, in a folder for each set of flags. Read by
 # the scripts of this folder, after installed.sh.
 
-f77_alone="$folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
+f77_alone="$folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_mesh_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
 
 strict='-std=f2008 -pedantic -Wall -Wextra -Wconversion -Werror'
 # The old language compares reals, and an INCLUDE brings names that are not all used.

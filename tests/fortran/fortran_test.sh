@@ -19,7 +19,7 @@ installed_whole() { # all sources, and nothing that a compiler made
     test -z "$(find "$scratch/root" -name '*.mod' -o -name '*.smod' -o -name '*.o')"
 }
 
-headers="$source/include/mgdt/mgdt.h $source/include/mgdt/mgdt_voronoi.h $source/include/mgdt/mgdt_domain.h
+headers="$source/include/mgdt/mgdt.h $source/include/mgdt/mgdt_voronoi.h $source/include/mgdt/mgdt_domain.h $source/include/mgdt/mgdt_mesh.h
     $source/include/mgdt/mgdt_periodic.h"
 
 # Every function of the C interface is bound, and every bound name is one of them.

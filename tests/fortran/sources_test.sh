@@ -29,7 +29,7 @@ END
 
 # ---------------------------------------------------------------------------------- in one file
 
-f77_alone="$folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
+f77_alone="$folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_mesh_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
 in_one_file() { # flags, sources
     rm -rf "$scratch/one"
     mkdir -p "$scratch/one"

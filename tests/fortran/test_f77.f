@@ -802,11 +802,12 @@
       IMPLICIT NONE
       INTEGER MAXT
       PARAMETER (MAXT = 40)
-      INTEGER HD(4), IERR, N, I, J, K, NT, NF, IC(6, 2)
+      INTEGER HD(4), HG(4), HX(4), IERR, N, I, J, K, NT, NF, IC(6, 2)
       INTEGER IQ(4, 11), ITRI(3, 22), IOFF(12), MARK(22), ISEG(2, 2)
       INTEGER ITET(4, MAXT), IREG(MAXT), MREG(2), IFAC(3, MAXT)
-      INTEGER IPAI(4), NHEARD
-      DOUBLE PRECISION XYZ(3, 12), P(3), GOT(3, 12), V(9), VOL
+      INTEGER IPAI(4), NHEARD, NCOL, IREAL, MREGS(2), IORI(12)
+      DOUBLE PRECISION VOLS(MAXT)
+      DOUBLE PRECISION XYZ(3, 12), P(3, 2), GOT(3, 12), V(9), VOL
       DOUBLE PRECISION CROSS(3, 6)
       CHARACTER*256 TEXT
       LOGICAL YES
@@ -842,47 +843,74 @@
       IOFF(12) = 45
       CALL MGDPOL(HD, 11, IOFF, IQ, MARK, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDPOL')
-      CALL MGDEDG(HD, 2, ISEG, MARK, IERR)
-      CALL EXPECT(IERR .EQ. 0, 'MGDEDG')
-      P(1) = 1
-      P(2) = 1
-      P(3) = 1
-      CALL MGDADR(HD, P, 7, IERR)
-      P(3) = 3
-      IF (IERR .EQ. 0) CALL MGDADR(HD, P, 9, IERR)
-      CALL EXPECT(IERR .EQ. 0, 'MGDADR')
+      CALL MGDSEG(HD, 2, ISEG, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDSEG')
+      DO 15 I = 1, 2
+        P(1, I) = 1
+        P(2, I) = 1
+        P(3, I) = 2*I - 1
+        MREGS(I) = 5 + 2*I
+   15 CONTINUE
+      CALL MGDREG(HD, 2, P, MREGS, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDREG')
       CALL MGDVAL(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDVAL')
       NHEARD = 0
       CALL MGDPRG(HD, DOMPRO, IERR)
-      CALL MGDBLD(HD, IERR)
+      CALL MGDBLD(HD, HG, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. NHEARD .GT. 0, 'MGDBLD')
       CALL MGDNPR(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDNPR')
-      CALL MGDCHK(HD, IERR)
+      CALL MGDCHK(HD, HG, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDCHK')
-      CALL MGDNUM(HD, MGDNTE, NT, IERR)
-      CALL EXPECT(IERR .EQ. 0 .AND. NT .LE. MAXT, 'MGDNUM')
-      CALL MGDARR(HD, MGDTET, 4*MAXT, ITET, IERR)
-      CALL EXPECT(IERR .EQ. 0, 'MGDARR')
-      CALL MGDARR(HD, MGDREG, MAXT, IREG, IERR)
-      CALL MGDARR(HD, MGDRMA, 2, MREG, IERR)
-      CALL MGDDBL(HD, MGDPTS, 36, GOT, IERR)
-      CALL EXPECT(IERR .EQ. 0, 'MGDDBL')
+      CALL MGUPRG(HG, DOMPRO, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUPRG')
+      CALL MGUCHK(HG, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUCHK')
+      CALL MGUNPR(HG, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUNPR')
+      CALL MGUOPT(HG, MGUTHR, 2, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUOPT')
+      CALL MGUGOP(HG, MGUTHR, I, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. I .EQ. 2, 'MGUGOP')
+      CALL MGUNUM(HG, MGUNTE, NT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NT .LE. MAXT, 'MGUNUM')
+      CALL MGUINF(MGUPTS, NCOL, IREAL, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NCOL .EQ. 3 .AND. IREAL .EQ. 1,
+     &            'MGUINF')
+      CALL MGDINF(MGDPAI, NCOL, IREAL, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NCOL .EQ. 4 .AND. IREAL .EQ. 0,
+     &            'MGDINF')
+      CALL MGUINF(MGUNTE, NCOL, IREAL, IERR)
+      CALL EXPECT(IERR .EQ. MGEKEY .AND. NCOL .EQ. 4, 'no array')
+      CALL MGUMSR(HG, MGTVOL, MAXT, VOLS, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUMSR')
+      CALL MGUARR(HG, MGUORI, 12, IORI, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. IORI(1) .EQ. 1 .AND.
+     &            IORI(12) .EQ. 12, 'origins')
+      CALL MGUARR(HG, MGUTET, 4*MAXT, ITET, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUARR')
+      CALL MGUARR(HG, MGUREG, MAXT, IREG, IERR)
+      CALL MGUARR(HG, MGURMA, 2, MREG, IERR)
+      CALL MGUDBL(HG, MGUPTS, 36, GOT, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUDBL')
+      V(5) = 0
       V(7) = 0
       V(9) = 0
       DO 20 I = 1, NT
         K = MREG(IREG(I))
+        V(5) = V(5) + VOLS(I)
         V(K) = V(K) + VOL(GOT(1, ITET(1, I)), GOT(1, ITET(2, I)),
      &                    GOT(1, ITET(3, I)), GOT(1, ITET(4, I)))/6
    20 CONTINUE
       CALL EXPECT(ABS(V(7) - 8) .LT. 1D-12, 'volume of a cube')
       CALL EXPECT(ABS(V(9) - 8) .LT. 1D-12, 'volume of the other')
+      CALL EXPECT(ABS(V(5) - 16) .LT. 1D-12, 'both volumes')
 ! The diagonals of squares that were chosen make triangles.
-      CALL MGDSIZ(HD, MGDFAC, NF, IERR)
-      CALL EXPECT(IERR .EQ. 0 .AND. NF .EQ. 66, 'MGDSIZ')
-      CALL MGDARR(HD, MGDFAC, 3*MAXT, IFAC, IERR)
-      CALL MGDARR(HD, MGDFMA, 22, MARK, IERR)
+      CALL MGUSIZ(HG, MGUFAC, NF, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NF .EQ. 66, 'MGUSIZ')
+      CALL MGUARR(HG, MGUFAC, 3*MAXT, IFAC, IERR)
+      CALL MGUARR(HG, MGUFMA, 22, MARK, IERR)
       DO 40 I = 1, 22
         DO 30 J = 1, 3
           ITRI(J, I) = IFAC(J, I)
@@ -890,24 +918,34 @@
    40 CONTINUE
       CALL MGDTRI(HD, 22, ITRI, MARK, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDTRI')
-      P(3) = 1
-      CALL MGDHOL(HD, P, IERR)
+      CALL MGDHOL(HD, 1, P, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDHOL')
+      CALL MGDCHK(HD, HG, IERR)
+      CALL EXPECT(IERR .EQ. MGECHK, 'a mesh in a hole')
       CALL MGDPRG(HD, DOMSTP, IERR)
-      CALL MGDBLD(HD, IERR)
+      CALL MGDBLD(HD, HX, IERR)
       CALL EXPECT(IERR .EQ. MGECAN, 'stopped by progress')
+      CALL MGUCHK(HX, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'no mesh')
       CALL MGDNPR(HD, IERR)
       CALL MGDCAN(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDCAN')
-      CALL MGDBLD(HD, IERR)
+      CALL MGDBLD(HD, HX, IERR)
       CALL EXPECT(IERR .EQ. MGECAN, 'stopped by MGDCAN')
-      CALL MGDBLD(HD, IERR)
+      CALL MGDBLD(HD, HX, IERR)
       CALL EXPECT(IERR .EQ. 0, 'built')
-      CALL MGDNUM(HD, MGDNTE, N, IERR)
+      CALL MGUNUM(HX, MGUNTE, N, IERR)
       CALL EXPECT(N .GT. 0 .AND. N .LT. NT, 'a cube is a hole')
 ! What is refused.
-      CALL MGDARR(HD, MGDTET, 4*N - 1, ITET, IERR)
+      CALL MGUARR(HX, MGUTET, 4*N - 1, ITET, IERR)
       CALL EXPECT(IERR .EQ. MGEBUF, 'no room')
+      CALL MGUERR(HX, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. INDEX(TEXT, 'needed') .GT. 0,
+     &            'MGUERR')
+      CALL MGUCAN(HX, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUCAN')
+      CALL MGUFRE(HX, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUFRE')
       CALL MGDNUM(HD, 999, N, IERR)
       CALL EXPECT(IERR .EQ. MGEKEY, 'an unknown number')
       CALL MGDINP(HD, 6, CROSS, IERR)
@@ -918,6 +956,10 @@
       YES = IERR .EQ. 0 .AND. IPAI(1) .EQ. MGDKFA .AND. IPAI(2) .EQ. 1
       YES = YES .AND. IPAI(3) .EQ. MGDKFA .AND. IPAI(4) .EQ. 2
       CALL EXPECT(YES, 'the pair')
+      CALL MGDSIZ(HD, MGDPAI, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 4, 'MGDSIZ')
+      CALL MGDNUM(HD, MGDNPA, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 1, 'MGDNUM')
       CALL MGDTRI(HD, 2, IC(1, 2), MARK, IERR)
       CALL EXPECT(IERR .EQ. MGEARG, 'a corner that is no point')
       CALL MGDTRI(HD, -1, IC, MARK, IERR)
@@ -926,7 +968,7 @@
       CALL EXPECT(IERR .EQ. 0, 'no polygons')
       CALL MGDCLR(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDCLR')
-      CALL MGDNUM(HD, MGDGPT, N, IERR)
+      CALL MGDNUM(HD, MGDNPT, N, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 0, 'no points')
       CALL MGNPT(HD, N, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'no triangulation')
@@ -937,8 +979,17 @@
       CALL EXPECT(IERR .EQ. MGENUL, 'MGVFRE of a domain')
       CALL MGBFRE(HD, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'MGBFRE of a domain')
+      CALL MGUFRE(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGUFRE of a domain')
+      CALL MGDFRE(HG, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGDFRE of a mesh')
       CALL MGDFRE(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDFRE')
+! The mesh outlives the domain.
+      CALL MGUCHK(HG, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUCHK without a domain')
+      CALL MGUFRE(HG, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUFRE')
       CALL MGDFRE(HD, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'freed')
       CALL MGDERR(HD, TEXT, IERR)
@@ -1053,7 +1104,7 @@
       CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. NT, 'as many tetrahedra')
       CALL MGBCLR(HB, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGBCLR')
-      CALL MGDNUM(HB, MGDGPT, N, IERR)
+      CALL MGDNUM(HB, MGDNPT, N, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'no domain')
       CALL MGBFRE(HB, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGBFRE')

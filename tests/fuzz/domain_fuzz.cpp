@@ -24,20 +24,43 @@ class Handle {
     Handle() { FUZZ_REQUIRE(mgdt_domain_create(&d_) == MGDT_OK, "create"); }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
-    ~Handle() { mgdt_domain_destroy(d_); }
+    ~Handle() {
+        mgdt_mesh_destroy(m_);
+        mgdt_domain_destroy(d_);
+    }
     operator mgdt_domain*() const { return d_; }
 
-    // Nothing if there is no mesh yet.
+    Integers pairs() const {
+        std::int64_t size = -1;
+        const std::int32_t key = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS;
+        FUZZ_REQUIRE(mgdt_domain_get_size(d_, key, &size) == MGDT_OK && size >= 0, "size");
+        Integers values(static_cast<std::size_t>(size));
+        FUZZ_REQUIRE(mgdt_domain_get_array(d_, key, size, values.data()) == MGDT_OK, "pairs");
+        return values;
+    }
+    mgdt_status build() {
+        mgdt_mesh_destroy(m_);
+        const mgdt_status status = mgdt_domain_build(d_, &m_);
+        FUZZ_REQUIRE((m_ != nullptr) == (status == MGDT_OK), "a mesh");
+        return status;
+    }
+    // Checks the mesh of the last build.
+    void check() const {
+        char message[256] = "";
+        const mgdt_status own = mgdt_mesh_check(m_);
+        mgdt_mesh_get_error(m_, sizeof message, message);
+        FUZZ_REQUIRE(own == MGDT_OK, message);
+        const mgdt_status compared = mgdt_domain_check(d_, m_);
+        mgdt_domain_get_error(d_, sizeof message, message);
+        FUZZ_REQUIRE(compared == MGDT_OK, message);
+    }
+    // An array of the mesh; nothing if there is none.
     Integers array(std::int32_t key) const {
         std::int64_t size = -1;
-        const mgdt_status status = mgdt_domain_get_size(d_, key, &size);
-        if (status == MGDT_ERR_NOT_BUILT) {
-            FUZZ_REQUIRE(mgdt_domain_check(d_) == status, "no mesh");
-            return {};
-        }
-        FUZZ_REQUIRE(status == MGDT_OK && size >= 0, "size");
+        if (!m_) return {};
+        FUZZ_REQUIRE(mgdt_mesh_get_size(m_, key, &size) == MGDT_OK && size >= 0, "size");
         Integers values(static_cast<std::size_t>(size));
-        FUZZ_REQUIRE(mgdt_domain_get_array(d_, key, size, values.data()) == MGDT_OK, "array");
+        FUZZ_REQUIRE(mgdt_mesh_get_array(m_, key, size, values.data()) == MGDT_OK, "array");
         return values;
     }
     void set_facets(const Facets& facets) const {
@@ -54,6 +77,7 @@ class Handle {
 
   private:
     mgdt_domain* d_ = nullptr;
+    mgdt_mesh* m_ = nullptr;
 };
 
 class Session {
@@ -70,9 +94,9 @@ class Session {
         leave_out_offences();
         for (unsigned k = in_.below(3); k > 0; --k) {
             const Point place = source_.draw(in_, PointSource::lattice, points_);
-            FUZZ_REQUIRE(mgdt_domain_add_hole(first_, place.data()) == MGDT_OK, "hole");
-            holes_.push_back(place);
+            holes_.insert(holes_.end(), place.begin(), place.end());
         }
+        set_holes(first_);
         compare_builds();
     }
 
@@ -135,13 +159,13 @@ class Session {
             FUZZ_REQUIRE(round < 64, "offences stay");
             set(first_, facets_);
             const mgdt_status status = mgdt_domain_validate(first_);
-            const Integers pairs = first_.array(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS);
+            const Integers pairs = first_.pairs();
             FUZZ_REQUIRE(pairs.size() % 4 == 0, "pairs");
             FUZZ_REQUIRE(status == (pairs.empty() ? MGDT_OK : MGDT_ERR_INVALID_BOUNDARY),
                          "validate");
             if (pairs.empty()) return;
-            FUZZ_REQUIRE(mgdt_domain_build(first_) == MGDT_ERR_INVALID_BOUNDARY, "build");
-            FUZZ_REQUIRE(first_.array(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS) == pairs, "same pairs");
+            FUZZ_REQUIRE(first_.build() == MGDT_ERR_INVALID_BOUNDARY, "build");
+            FUZZ_REQUIRE(first_.pairs() == pairs, "same pairs");
             std::vector<std::size_t> facets, segments;
             for (std::size_t i = 0; i < pairs.size(); i += 4) {
                 const std::size_t at = pairs[i + 2] == MGDT_DOMAIN_KIND_POINT ? i : i + 2;
@@ -166,17 +190,18 @@ class Session {
         }
     }
 
+    void set_holes(mgdt_domain* d) const {
+        FUZZ_REQUIRE(mgdt_domain_set_holes(d, static_cast<std::int64_t>(holes_.size() / 3),
+                                           holes_.data()) == MGDT_OK,
+                     "holes");
+    }
+
     void compare_builds() {
-        const mgdt_status status = mgdt_domain_build(first_);
+        const mgdt_status status = first_.build();
         FUZZ_REQUIRE(
             status == MGDT_OK || status == MGDT_ERR_RESOLUTION || status == MGDT_ERR_OPEN_BOUNDARY,
             "build");
-        if (status == MGDT_OK) {
-            char message[256] = "";
-            const mgdt_status checked = mgdt_domain_check(first_);
-            mgdt_domain_get_error(first_, sizeof message, message);
-            FUZZ_REQUIRE(checked == MGDT_OK, message);
-        }
+        if (status == MGDT_OK) first_.check();
         // Polygons of more than three corners may be divided otherwise if they begin elsewhere.
         for (const Integers& f : facets_.corners)
             if (f.size() > 3) return;
@@ -187,19 +212,18 @@ class Session {
         FUZZ_REQUIRE(mgdt_domain_set_points(second, count(), coordinates_.data()) == MGDT_OK,
                      "points");
         set(second, facets_);
-        for (const Point& place : holes_)
-            FUZZ_REQUIRE(mgdt_domain_add_hole(second, place.data()) == MGDT_OK, "hole");
-        FUZZ_REQUIRE(mgdt_domain_build(second) == status, "the order of the facets");
-        for (const std::int32_t key :
-             {MGDT_DOMAIN_ARRAY_TETRAHEDRA, MGDT_DOMAIN_ARRAY_REGIONS, MGDT_DOMAIN_ARRAY_SEGMENTS})
+        set_holes(second);
+        FUZZ_REQUIRE(second.build() == status, "the order of the facets");
+        for (const std::int32_t key : {MGDT_MESH_ARRAY_TETRAHEDRA,
+                                       MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS, MGDT_MESH_ARRAY_EDGES})
             FUZZ_REQUIRE(first_.array(key) == second.array(key), "the order of the facets");
     }
 
     Input& in_;
     PointSource source_;
     Handle first_;
-    std::vector<Point> points_, holes_;
-    std::vector<double> coordinates_;
+    std::vector<Point> points_;
+    std::vector<double> coordinates_, holes_;
     bool is_finite_ = true;
     Facets facets_;
     Integers segments_;

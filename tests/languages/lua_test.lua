@@ -541,18 +541,21 @@ test("a domain", function()
     given.progress = function(fraction) heard = heard + fraction end
     local mesh = mgdt.domain_mesh(given)
     assert(heard > 0)
-    for name in pairs(require("mgdt.interface").domain_array) do
-        if name ~= "offending_pairs" then
-            local is_integer = tostring(ffi.typeof(mesh[name])):match("int") ~= nil
-            local reference, length = read("domain_" .. name, is_integer and "int64_t" or "double")
-            equal(ffi.sizeof(mesh[name]) / (is_integer and 4 or 8), length, "length of " .. name)
-            same(mesh[name], reference, length, name)
-        end
+    for name in pairs(require("mgdt.interface").mesh_array) do
+        local is_integer = tostring(ffi.typeof(mesh[name])):match("int") ~= nil
+        local reference, length = read("domain_" .. name, is_integer and "int64_t" or "double")
+        equal(ffi.sizeof(mesh[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+        same(mesh[name], reference, length, name)
     end
+    equal(ffi.sizeof(mesh.open_edges), 0, "open edges")
+    local volumes, n = mesh:tetrahedron_measures "volume"
+    local expected, length = read("domain_volumes", "double")
+    equal(n, length, "number of volumes")
+    same(volumes, expected, length, "volumes")
     equal(mesh.is_rounded, true, "is_rounded")
     equal(mesh.point_count, 18 + mesh.steiner_count, "points")
     equal(mesh.region_count, 2, "regions")
-    equal(mesh.segment_count > 30 and mesh.face_count > 20, true, "segments and faces")
+    equal(mesh.edge_count > 30 and mesh.face_count > 20, true, "edges and faces")
     equal(mesh:check(), true, "check")
     equal(#mgdt.offending_pairs(given), 0, "pairs")
     assert(tostring(mesh):find("2 regions"))

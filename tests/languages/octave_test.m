@@ -226,15 +226,16 @@ function domain (folder)
   heard = 0;
   mesh = mgdt_domain_mesh (given{:}, "progress", @add_to_heard, "check", true);
   assert (heard > 0);
-  for name = {"tetrahedra", 4; "regions", 1; "faces", 3; "face_tetrahedra", 2; "face_facets", 1; ...
-              "segments", 2; "segment_sources", 1; "steiner_edges", 2}'
+  for name = {"point_origins", 1; "tetrahedra", 4; "tetrahedron_regions", 1; "faces", 3; ...
+              "face_tetrahedra", 2; "face_facets", 1; "edges", 2; "edge_segments", 1; "steiner_edges", 2}'
     assert (mesh.(name{1}), from_1 (read (folder, ["domain_" name{1}], "int64", name{2})));
   end
   assert (mesh.neighbours, from_1 (read (folder, "domain_neighbors", "int64", 4)));
-  for name = {"region_markers", "face_markers", "segment_markers"}
+  for name = {"region_markers", "face_markers", "edge_markers"}
     assert (mesh.(name{1}), read (folder, ["domain_" name{1}], "int64", 1));
   end
   assert (mesh.points, read (folder, "domain_points", "double", 3));
+  assert (mesh.volumes, read (folder, "domain_volumes", "double", 1));
   assert (mesh.steiner_parameters, read (folder, "domain_steiner_parameters", "double", 1));
   assert (mesh.is_rounded);
   assert (size (mgdt_offending_pairs (given{:})), [0 4]);

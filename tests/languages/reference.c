@@ -131,24 +131,27 @@ static void export_domain(void) {
     static const struct {
         int32_t key;
         const char* name;
-    } arrays[] = {{MGDT_DOMAIN_ARRAY_OPEN_EDGES, "open_edges"},
-                  {MGDT_DOMAIN_ARRAY_TETRAHEDRA, "tetrahedra"},
-                  {MGDT_DOMAIN_ARRAY_NEIGHBORS, "neighbors"},
-                  {MGDT_DOMAIN_ARRAY_REGIONS, "regions"},
-                  {MGDT_DOMAIN_ARRAY_REGION_MARKERS, "region_markers"},
-                  {MGDT_DOMAIN_ARRAY_FACES, "faces"},
-                  {MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA, "face_tetrahedra"},
-                  {MGDT_DOMAIN_ARRAY_FACE_FACETS, "face_facets"},
-                  {MGDT_DOMAIN_ARRAY_FACE_MARKERS, "face_markers"},
-                  {MGDT_DOMAIN_ARRAY_SEGMENTS, "segments"},
-                  {MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES, "segment_sources"},
-                  {MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, "segment_markers"},
-                  {MGDT_DOMAIN_ARRAY_STEINER_EDGES, "steiner_edges"},
-                  {MGDT_DOMAIN_ARRAY_POINTS, "points"},
-                  {MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS, "steiner_parameters"}};
+    } arrays[] = {{MGDT_MESH_ARRAY_POINT_ORIGINS, "point_origins"},
+                  {MGDT_MESH_ARRAY_TETRAHEDRA, "tetrahedra"},
+                  {MGDT_MESH_ARRAY_NEIGHBORS, "neighbors"},
+                  {MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS, "tetrahedron_regions"},
+                  {MGDT_MESH_ARRAY_REGION_MARKERS, "region_markers"},
+                  {MGDT_MESH_ARRAY_FACES, "faces"},
+                  {MGDT_MESH_ARRAY_FACE_TETRAHEDRA, "face_tetrahedra"},
+                  {MGDT_MESH_ARRAY_FACE_FACETS, "face_facets"},
+                  {MGDT_MESH_ARRAY_FACE_MARKERS, "face_markers"},
+                  {MGDT_MESH_ARRAY_EDGES, "edges"},
+                  {MGDT_MESH_ARRAY_EDGE_SEGMENTS, "edge_segments"},
+                  {MGDT_MESH_ARRAY_EDGE_MARKERS, "edge_markers"},
+                  {MGDT_MESH_ARRAY_STEINER_EDGES, "steiner_edges"},
+                  {MGDT_MESH_ARRAY_POINTS, "points"},
+                  {MGDT_MESH_ARRAY_STEINER_PARAMETERS, "steiner_parameters"}};
     int64_t offsets[20], markers[19], count, k;
     int32_t of_facets[19], of_segments[2] = {5, 6};
+    const int32_t marker = 7;
+    double* volumes;
     mgdt_domain* d = NULL;
+    mgdt_mesh* m = NULL;
     for (k = 0; k < 19; ++k) {
         offsets[k] = k < 11 ? 4 * k : 44 + 3 * (k - 11);
         markers[k] = of_facets[k] = 100 + (int32_t)k;
@@ -159,31 +162,38 @@ static void export_domain(void) {
     write_file("domain_given_corners", corners, 68);
     write_file("domain_given_markers", markers, 19);
     if (mgdt_domain_create(&d) != MGDT_OK ||
-        mgdt_domain_set_option(d, MGDT_DOMAIN_ROUND_POINTS, 1) != MGDT_OK ||
+        mgdt_domain_set_option(d, MGDT_DOMAIN_OPTION_ROUND_POINTS, 1) != MGDT_OK ||
         mgdt_domain_set_points(d, 18, xyz) != MGDT_OK ||
         mgdt_domain_set_facets(d, 19, offsets, corners, of_facets) != MGDT_OK ||
         mgdt_domain_set_segments(d, 2, ends, of_segments) != MGDT_OK ||
-        mgdt_domain_add_hole(d, hole) != MGDT_OK ||
-        mgdt_domain_add_region(d, inside, 7) != MGDT_OK || mgdt_domain_build(d) != MGDT_OK ||
-        mgdt_domain_check(d) != MGDT_OK)
+        mgdt_domain_set_holes(d, 1, hole) != MGDT_OK ||
+        mgdt_domain_set_regions(d, 1, inside, &marker) != MGDT_OK ||
+        mgdt_domain_build(d, &m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK ||
+        mgdt_domain_check(d, m) != MGDT_OK)
         stop("the domain was not meshed");
     for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
         char name[64];
         void* values;
         mgdt_status status;
-        if (mgdt_domain_get_size(d, arrays[k].key, &count) != MGDT_OK ||
-            (count == 0) != (arrays[k].key == MGDT_DOMAIN_ARRAY_OPEN_EDGES))
+        if (mgdt_mesh_get_size(m, arrays[k].key, &count) != MGDT_OK || count == 0)
             stop("an array without elements");
         values = room(count, 8);
-        if (arrays[k].key < MGDT_DOMAIN_ARRAY_POINTS)
-            status = mgdt_domain_get_array(d, arrays[k].key, count, values);
+        if (arrays[k].key < MGDT_MESH_ARRAY_POINTS)
+            status = mgdt_mesh_get_array(m, arrays[k].key, count, values);
         else
-            status = mgdt_domain_get_doubles(d, arrays[k].key, count, values);
-        if (status != MGDT_OK) stop("an array of a domain");
+            status = mgdt_mesh_get_doubles(m, arrays[k].key, count, values);
+        if (status != MGDT_OK) stop("an array of a mesh");
         snprintf(name, sizeof name, "domain_%s", arrays[k].name);
         write_file(name, values, count);
         free(values);
     }
+    if (mgdt_mesh_get_stat(m, MGDT_MESH_STAT_TETRAHEDRA, &count) != MGDT_OK) stop("a statistic");
+    volumes = room(count, 8);
+    if (mgdt_mesh_get_tetrahedron_measures(m, MGDT_TETRAHEDRON_VOLUME, count, volumes) != MGDT_OK)
+        stop("the volumes of a mesh");
+    write_file("domain_volumes", volumes, count);
+    free(volumes);
+    mgdt_mesh_destroy(m);
     mgdt_domain_destroy(d);
 }
 

@@ -123,16 +123,18 @@ class MgdtTest < Minitest::Test
     heard = 0
     mesh = mesh_of(**given_domain) { |fraction| heard += fraction }
     assert_operator heard, :>, 0
-    rows = { tetrahedra: 4, neighbors: 4, faces: 3, face_tetrahedra: 2, segments: 2, steiner_edges: 2 }
+    rows = { tetrahedra: 4, neighbors: 4, faces: 3, face_tetrahedra: 2, edges: 2, steiner_edges: 2 }
     rows.each do |name, width|
       expected = self.class.integers("domain_#{name}", width)
       assert_equal expected, (mesh.public_send(name).map { |row| row.map { |k| k || -1 } }), name
     end
-    %i[regions region_markers face_facets face_markers segment_sources segment_markers].each do |name|
+    %i[point_origins tetrahedron_regions region_markers face_facets face_markers edge_segments edge_markers].each do |name|
       assert_equal self.class.integers("domain_#{name}"), (mesh.public_send(name).map { |k| k || -1 }), name
     end
     assert_equal self.class.doubles("domain_points").each_slice(3).to_a, mesh.points
     assert_equal self.class.doubles("domain_steiner_parameters"), mesh.steiner_parameters
+    assert_equal self.class.doubles("domain_volumes"), mesh.tetrahedron_measures(:volume)
+    refused(Mgdt::InvalidArgument, "weight") { mesh.tetrahedron_measures("weight") }
     assert_predicate mesh, :rounded?
     assert_same mesh, mesh.check
     assert_includes mesh.inspect, "2 regions"
@@ -630,7 +632,7 @@ class MgdtTest < Minitest::Test
 
   def test_declarations_are_those_of_the_header
     mgdt_h = ENV.fetch("MGDT_HEADER")
-    headers = [mgdt_h, *%w[mgdt_voronoi.h mgdt_domain.h mgdt_periodic.h].map { |name| File.join(File.dirname(mgdt_h), name) }]
+    headers = [mgdt_h, *%w[mgdt_voronoi.h mgdt_domain.h mgdt_mesh.h mgdt_periodic.h].map { |name| File.join(File.dirname(mgdt_h), name) }]
     header = headers.map { |name| File.read(name) }.join.gsub(%r{/\*.*?\*/}m, "")
     prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
       parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }

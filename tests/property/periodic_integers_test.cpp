@@ -54,8 +54,9 @@ class Examination {
         const Place a = vector(0), b = vector(1), c = vector(2);
         const Integer determinant = oracle::dot(oracle::cross(a, b), c);
         EXPECT_EQ(sum, 6 * (determinant < 0 ? Integer(-determinant) : determinant));
-        EXPECT_EQ(p_.number(mgdt::PeriodicNumber::edges),
-                  p_.number(mgdt::PeriodicNumber::vertices) + static_cast<std::int64_t>(count()));
+        EXPECT_EQ(
+            p_.statistic(mgdt::PeriodicNumber::edges),
+            p_.statistic(mgdt::PeriodicNumber::vertices) + static_cast<std::int64_t>(count()));
     }
 
   private:

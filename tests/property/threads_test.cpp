@@ -109,7 +109,7 @@ TEST(Threads, ConstCallsOnAPeriodicBox) {
         for (const double v : p.cell_measures(mgdt::Measure::volume)) sum += v;
         EXPECT_NEAR(sum, 1, 1e-12);
         seen.push_back({static_cast<std::int64_t>(
-            p.voronoi().numbers(mgdt::VoronoiNumbers::cell_volumes).size())});
+            p.voronoi().doubles(mgdt::VoronoiDoubles::cell_volumes).size())});
         return seen;
     };
     std::vector<std::vector<std::vector<std::int64_t>>> views(3);
@@ -139,7 +139,7 @@ TEST(Threads, CancelABuildInABox) {
     });
     EXPECT_THROW(p.build(), mgdt::Cancelled);
     other.join();
-    EXPECT_EQ(p.number(mgdt::PeriodicNumber::vertices), 0);
+    EXPECT_EQ(p.statistic(mgdt::PeriodicNumber::vertices), 0);
 }
 
 // The stop comes from another thread once the insertion reports its first progress.

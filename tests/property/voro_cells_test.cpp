@@ -51,8 +51,8 @@ std::vector<Cell> cells_of_mgdt(const std::vector<double>& xyz) {
     mgdt::Triangulation t;
     t.insert(xyz);
     const mgdt::Voronoi v(t, unit_box);
-    const auto areas = v.numbers(mgdt::VoronoiNumbers::face_areas),
-               volumes = v.numbers(mgdt::VoronoiNumbers::cell_volumes);
+    const auto areas = v.doubles(mgdt::VoronoiDoubles::face_areas),
+               volumes = v.doubles(mgdt::VoronoiDoubles::cell_volumes);
     const auto sides = v.array(mgdt::VoronoiArray::face_sides);
     std::vector<Cell> cells(volumes.size());
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i].volume = volumes[i];

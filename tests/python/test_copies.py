@@ -28,7 +28,7 @@ MAKERS: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
     ),
     "DomainMesh": (
         lambda: mgdt.DomainMesh(TETRAHEDRON, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]),
-        ("points", "simplices", "faces", "regions"),
+        ("points", "simplices", "faces", "simplex_regions"),
     ),
 }
 

@@ -35,7 +35,7 @@ class DomainMesh(unittest.TestCase):
             self.assertTrue((mesh.face_simplices[:, 0] == -1).all())
             self.assertTrue((mesh.face_simplices[:, 1] >= 0).all())
             self.assertEqual(sorted(set(mesh.face_facets.tolist())), [0, 1, 2, 3, 4, 5])
-            self.assertEqual(len(mesh.segments), 12)
+            self.assertEqual(len(mesh.edges), 12)
             self.assertFalse(mesh.is_rounded)
             self.assertEqual(repr(mesh), "<mgdt.DomainMesh: 8 points, 6 tetrahedra, 1 region>")
 
@@ -43,12 +43,12 @@ class DomainMesh(unittest.TestCase):
         facets = [SIDES[0], *SIDES[1:5], [1, 3, 7], [1, 7, 5]]
         mesh = mgdt.DomainMesh(CUBE, facets, markers=range(7), segments=[[0, 7]], segment_markers=[5])
         mesh.check()
-        a, b = (mesh.points[mesh.segments[:, k]] for k in range(2))
+        a, b = (mesh.points[mesh.edges[:, k]] for k in range(2))
         length = np.linalg.norm(a - b, axis=1)
         # The segment, and the diagonal of the last side, which different markers keep.
-        given = mesh.segment_sources == 0
+        given = mesh.edge_segments == 0
         self.assertAlmostEqual(length[given].sum(), 3**0.5)
-        self.assertEqual(set(mesh.segment_markers[given].tolist()), {5})
+        self.assertEqual(set(mesh.edge_markers[given].tolist()), {5})
         self.assertAlmostEqual(length[~given].sum(), 12 + 2**0.5)
         self.assertEqual(set(mesh.face_markers.tolist()), set(range(7)))
 
@@ -57,7 +57,7 @@ class DomainMesh(unittest.TestCase):
         facets = SIDES + [[v + 8 for v in side] for side in SIDES]
         mesh = mgdt.DomainMesh(points, facets, regions=[((0.5, 0.5, 0.5), 7), ([0.1, 0.1, 0.1], -3)])
         mesh.check()
-        markers = mesh.region_markers[mesh.regions]
+        markers = mesh.region_markers[mesh.simplex_regions]
         self.assertAlmostEqual(volumes(mesh)[markers == 7].sum(), 1 / 8)
         self.assertAlmostEqual(volumes(mesh)[markers == -3].sum(), 7 / 8)
         hollow = mgdt.DomainMesh(points, facets, holes=[[0.5, 0.5, 0.5]])
@@ -92,6 +92,36 @@ class DomainMesh(unittest.TestCase):
         a, b = (mesh.points[mesh.steiner_edges[:, k]] for k in range(2))
         t = mesh.steiner_parameters[:, None]
         self.assertTrue((a + t * (b - a) == mesh.points[6:]).all())
+
+        self.assertEqual(mesh.point_origins.tolist(), [*range(6), *[-1] * (mesh.npoints - 6)])
+
+    def test_measures(self) -> None:
+        mesh = mgdt.DomainMesh(CUBE, SIDES, markers=range(6), regions=[((0.5, 0.25, 0.125), 7)])
+        self.assertTrue(np.allclose(mesh.tetrahedron_measures("volume"), volumes(mesh)))
+        self.assertEqual((mesh.npoints, mesh.nsimplex), (8, 6))
+        with self.assertRaisesRegex(ValueError, "radius_ratio"):
+            mesh.tetrahedron_measures("weight")
+
+    def test_other_libraries(self) -> None:
+        mesh = mgdt.DomainMesh(CUBE, SIDES, markers=range(6), regions=[((0.5, 0.25, 0.125), 7)])
+        try:
+            other = mesh.to_meshio()
+        except ImportError as error:
+            self.assertIn("meshio", str(error))
+        else:
+            self.assertTrue((other.points == mesh.points).all())
+            self.assertTrue((other.cells_dict["tetra"] == mesh.simplices).all())
+            self.assertTrue((other.cells_dict["triangle"] == mesh.faces).all())
+            tetrahedra, faces = other.cell_data["marker"]
+            self.assertEqual(set(tetrahedra.tolist()), {7})
+            self.assertTrue((faces == mesh.face_markers).all())
+        try:
+            grid = mesh.to_pyvista()
+        except ImportError as error:
+            self.assertIn("PyVista", str(error))
+        else:
+            self.assertEqual(grid.n_cells, 6)
+            self.assertEqual(set(grid.cell_data["marker"].tolist()), {7})
 
     def test_offending_pairs(self) -> None:
         points = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0.5, 0.5, -1], [0.5, 0.5, 1], [3, 0, 1]]

@@ -128,7 +128,7 @@ text = "".join(open(name).read() for name in sys.argv[1:])
 source = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
 handles = {
     name + stars: kind
-    for name in ("mgdt_triangulation", "mgdt_voronoi", "mgdt_domain", "mgdt_periodic")
+    for name in ("mgdt_triangulation", "mgdt_voronoi", "mgdt_domain", "mgdt_mesh", "mgdt_periodic")
     for stars, kind in (("*", "c_void_p"), ("**", "LP_c_void_p"))
 }
 kinds = {
@@ -157,7 +157,7 @@ for name, (result, inputs) in _interface.FUNCTIONS.items():
 assert set(_interface.FUNCTIONS) == set(declared)
 print(len(_interface.FUNCTIONS))
 """
-        names = ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h", "mgdt_periodic.h")
+        names = ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h", "mgdt_mesh.h", "mgdt_periodic.h")
         result = run_python(program, *(str(headers / name) for name in names))
         self.assertEqual(result.stderr, "")
         self.assertGreater(int(result.stdout), 30)

@@ -17,7 +17,7 @@ mgdt_status status_of(const Surface& s) {
     mgdt_status status[2];
     std::size_t points[2];
     for (int k = 0; k < 2; ++k) {
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, s);
         domain.settings().takes_open_surfaces = true;
         domain.settings().threads = k + 1;

@@ -62,7 +62,7 @@ double volume(const DomainMesh& m) {
 TEST(Domain, MeshesAllTestSurfaces) {
     for (const Surface& s : test_surfaces()) {
         SCOPED_TRACE(s.name);
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, s);
         try {
             domain.build();
@@ -102,7 +102,7 @@ TEST(Domain, MeshesRandomComplexes) {
             return static_cast<int>(random() % static_cast<unsigned>(n));
         };
         const int n = 2 + below(5), points = 4 + below(30), tries = 1 + below(50), kind = below(3);
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         domain.settings().takes_open_surfaces = true;
         DomainInput& input = domain.input();
         for (int i = 0; i < 3 * points; ++i)
@@ -137,7 +137,7 @@ TEST(Domain, MeshesRandomComplexes) {
 
 TEST(Domain, DoesNotDependOnTheOrderOfItsFacets) {
     Surface s = chazelle(3);
-    Domain domain(nullptr, nullptr, nullptr), other(nullptr, nullptr, nullptr);
+    MeshedDomain domain, other;
     give(domain, s);
     std::reverse(s.facets.begin(), s.facets.end());
     give(other, s);
@@ -158,7 +158,7 @@ TEST(Domain, NamesAllThatCrosses) {
     s.facet({0, 1, 0});
     s.segments = {a, s.point(3, 0.25, 0.5)};
     s.point(1, 0.4, 0.8);
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, s);
     const Error error = error_of([&] { domain.build(); });
     EXPECT_EQ(error.status, MGDT_ERR_INVALID_BOUNDARY);
@@ -180,7 +180,7 @@ TEST(Domain, RefusesWhatTheGridCannotHold) {
     Surface s = cube();
     s.point(0.5, 0.5, 0.5);
     s.point(0.5 + 1e-15, 0.5, 0.5);
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, s);
     EXPECT_EQ(error_of([&] { domain.build(); }).status, MGDT_ERR_RESOLUTION);
 }
@@ -189,7 +189,7 @@ TEST(Domain, RefusesWhatTheGridCannotHold) {
 // too short for the points that it has on the usual grid.
 TEST(Domain, ChoosesAFinerOrACoarserGrid) {
     const auto bits_of = [](const Surface& s) {
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, s);
         std::vector<double> heard;
         domain.settings().progress_user = &heard;
@@ -204,7 +204,7 @@ TEST(Domain, ChoosesAFinerOrACoarserGrid) {
         for (std::size_t i = 0; i < s.points.size(); ++i)
             EXPECT_EQ(domain.mesh().points[i], s.points[i]);
         EXPECT_FALSE(domain.mesh().is_rounded);
-        return domain.mesh().grid_bits;
+        return domain.mesh().grid.bits();
     };
     EXPECT_EQ(bits_of(cube()), 36);
     Surface fine = cube();
@@ -213,14 +213,14 @@ TEST(Domain, ChoosesAFinerOrACoarserGrid) {
     EXPECT_EQ(bits_of(fine), 44);
     {
         // Places are in regions and holes on that grid as well.
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, fine);
-        domain.add_region({{0.5, 0.5, 0.5}, 7});
+        domain.input().regions.push_back({{0.5, 0.5, 0.5}, 7});
         domain.build();
         domain.check();
         ASSERT_EQ(domain.mesh().region_markers.size(), 1u);
         EXPECT_EQ(domain.mesh().region_markers[0], 7);
-        domain.add_hole({{0.9, 0.5, 0.5}, 0});
+        domain.input().holes.push_back({{0.9, 0.5, 0.5}, 0});
         try {
             domain.build();
             ADD_FAILURE() << "the hole leaves nothing";
@@ -252,13 +252,13 @@ TEST(Domain, OfPointsInAPlaneIsEmpty) {
     Surface s("square");
     for (int i = 0; i < 4; ++i) s.point(i / 2, i % 2, 0);
     s.facet({0, 1, 3, 2});
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, s);
     domain.settings().takes_open_surfaces = true;
     domain.build();
     domain.check();
     EXPECT_EQ(domain.mesh().tetrahedron_count(), 0u);
-    Domain nothing(nullptr, nullptr, nullptr);
+    MeshedDomain nothing;
     nothing.settings().takes_open_surfaces = true;
     nothing.build();
     nothing.check();
@@ -266,14 +266,12 @@ TEST(Domain, OfPointsInAPlaneIsEmpty) {
 
 TEST(Domain, SaysWhereASurfaceIsOpen) {
     const auto expect_open = [](const Surface& s, std::size_t edges, const char* words) {
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, s);
         const Error error = error_of([&] { domain.build(); });
         EXPECT_EQ(error.status, MGDT_ERR_OPEN_BOUNDARY) << s.name;
         EXPECT_NE(std::string(error.message).find(words), std::string::npos) << error.message;
-        EXPECT_FALSE(domain.has_mesh());
         EXPECT_EQ(domain.open_edges().size(), edges) << s.name;
-        domain.forget_results();
         domain.validate();
         EXPECT_EQ(domain.open_edges().size(), edges) << s.name;
     };
@@ -287,7 +285,7 @@ TEST(Domain, SaysWhereASurfaceIsOpen) {
     const auto first = static_cast<std::uint32_t>(both.points.size() / 3);
     for (const double x : {10.0, 11.0, 12.0}) both.point(x, x * x, 0);
     both.facet({first, first + 1, first + 2});
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, both);
     domain.build();
     domain.check();
@@ -302,7 +300,7 @@ TEST(Domain, MeshesLargeAndSmallCoordinates) {
     for (const double size : {1e300, 1e-300, 0x1p1023, 0x1p-1000, 0x1.fffffffffffffp1023, 1e-310}) {
         Surface s = schoenhardt(0.5);
         for (double& x : s.points) x *= size;
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, s);
         domain.build();
         domain.check();
@@ -312,7 +310,7 @@ TEST(Domain, MeshesLargeAndSmallCoordinates) {
 
 // The check finds every change of a single number of a mesh.
 TEST(Domain, CheckFindsChanges) {
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     Surface s = schoenhardt(0.5);
     s.markers[3] = 7;
     give(domain, s);
@@ -322,14 +320,12 @@ TEST(Domain, CheckFindsChanges) {
         const auto before = array[i];
         if (before == value) return;
         array[i] = value;
-        EXPECT_EQ(error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, allocator); }).status,
-                  MGDT_ERR_CHECK_FAILED)
-            << i;
+        EXPECT_EQ(error_of([&] { domain.check(); }).status, MGDT_ERR_CHECK_FAILED) << i;
         array[i] = before;
     };
-    DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+    DomainMesh& m = domain.mesh();
     for (Buffer<std::uint32_t>* const of :
-         {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.segments,
+         {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.edges,
           &m.steiner_edges})
         for (std::size_t i = 0; i < of->size(); ++i) {
             expect_found(*of, i, (*of)[i] + 1);
@@ -341,15 +337,14 @@ TEST(Domain, CheckFindsChanges) {
     for (std::size_t i = 0; i < m.points.size(); ++i) expect_found(m.points, i, 1e9);
     for (std::size_t i = 0; i < m.exact_points.size(); ++i) expect_found(m.exact_points, i, 3.0);
     for (std::size_t i = 0; i < m.face_markers.size(); ++i) expect_found(m.face_markers, i, 3);
-    check_mesh(domain.input(), domain.mesh(), 0, allocator);
+    domain.check();
 }
 
 // Meshes that every face and every tetrahedron by itself would pass.
 TEST(Domain, CheckFindsWhatIsLeftOut) {
     Allocator allocator;
-    const auto expect_found = [&](const Domain& domain, const char* message) {
-        const Error error =
-            error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, allocator); });
+    const auto expect_found = [&](const MeshedDomain& domain, const char* message) {
+        const Error error = error_of([&] { domain.check(); });
         EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);
         EXPECT_NE(std::string(error.message).find(message), std::string::npos) << error.message;
     };
@@ -360,23 +355,24 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
     const double centre[3] = {0.5, 0.25, 0.125};
     {
         // A point inside.
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, cube());
         domain.build();
-        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+        DomainMesh& m = domain.mesh();
         for (const double x : centre) {
             domain.input().points.push_back(x);
             m.points.push_back(x);
-            m.exact_points.push_back(RoundingGrid(1, m.grid_bits).round(x));
+            m.exact_points.push_back(m.grid.round(x));
         }
+        m.point_origins.push_back(8);
         expect_found(domain, "meets the surroundings of the domain at point 8");
     }
     {
         // A segment inside, between opposite corners that no tetrahedron joins.
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, cube());
         domain.build();
-        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+        DomainMesh& m = domain.mesh();
         for (std::uint32_t a = 0; a < 4; ++a) {
             const std::uint32_t b = 7 - a;
             bool is_edge = false;
@@ -387,11 +383,11 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
             if (is_edge) continue;
             for (const std::uint32_t end : {a, b}) {
                 domain.input().segments.push_back(end);
-                m.segments.push_back(end);
+                m.edges.push_back(end);
             }
             domain.input().segment_markers.push_back(0);
-            m.segment_markers.push_back(0);
-            m.segment_sources.push_back(0);
+            m.edge_markers.push_back(0);
+            m.edge_segments.push_back(0);
             expect_found(domain, "meets the surroundings");
             break;
         }
@@ -417,8 +413,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         both.points.insert(both.points.end(), {-2.5, -2.5, -2.5});
         for (std::size_t f = 6; f < 12; ++f)
             for (std::uint32_t& v : both.facets[f]) ++v;
-        Domain domain(nullptr, nullptr, nullptr), one(nullptr, nullptr, nullptr),
-            two(nullptr, nullptr, nullptr);
+        MeshedDomain domain, one, two;
         give(domain, both);
         give(one, outer);
         give(two, inner);
@@ -426,16 +421,16 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         domain.check();
         one.build();
         two.build();
-        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
-        for (Buffer<std::uint32_t>* const of : {&m.tetrahedra, &m.neighbors, &m.faces,
-                                                &m.face_tetrahedra, &m.face_facets, &m.segments})
+        DomainMesh& m = domain.mesh();
+        for (Buffer<std::uint32_t>* const of :
+             {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.edges})
             of->clear();
         m.regions.clear();
         m.face_markers.clear();
-        m.segment_sources.clear();
-        m.segment_markers.clear();
+        m.edge_segments.clear();
+        m.edge_markers.clear();
         const auto tetrahedra = static_cast<std::uint32_t>(one.mesh().tetrahedron_count());
-        for (const Domain* const d : {&one, &two}) {
+        for (const MeshedDomain* const d : {&one, &two}) {
             const DomainMesh& from = d->mesh();
             const bool is_second = d == &two;
             append(m.tetrahedra, from.tetrahedra, is_second ? 9 : 0);
@@ -444,17 +439,16 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
             append(m.faces, from.faces, is_second ? 9 : 0);
             append(m.face_tetrahedra, from.face_tetrahedra, is_second ? tetrahedra : 0);
             append(m.face_facets, from.face_facets, is_second ? 6 : 0);
-            append(m.segments, from.segments, is_second ? 9 : 0);
-            append(m.segment_sources, from.segment_sources, 0);
+            append(m.edges, from.edges, is_second ? 9 : 0);
+            append(m.edge_segments, from.edge_segments, 0);
             for (const std::int32_t marker : from.face_markers) m.face_markers.push_back(marker);
-            for (const std::int32_t marker : from.segment_markers)
-                m.segment_markers.push_back(marker);
+            for (const std::int32_t marker : from.edge_markers) m.edge_markers.push_back(marker);
         }
         expect_found(domain, "meets the surroundings");
     }
     {
         // A tetrahedron in a hole, and a region with another marker.
-        Domain domain(nullptr, nullptr, nullptr);
+        MeshedDomain domain;
         give(domain, cube());
         domain.build();
         domain.input().regions.push_back({{0.5, 0.25, 0.125}, 3});
@@ -476,7 +470,7 @@ TEST(Domain, NamesTheSegmentThatDoublesCannotDivide) {
         s.segments.push_back(static_cast<std::uint32_t>(i + 1));
     }
     s.point(0, 0, 1);
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, s);
     domain.settings().index_base = 1;
     domain.settings().takes_open_surfaces = true;
@@ -512,7 +506,7 @@ TEST(Domain, FillsPolygonsThatTouchThemselves) {
     EXPECT_EQ(area_of(points, {0, 2, 1, 5}), -1);  // it crosses itself
     Surface s = cube();
     s.facets[0] = {0, 0, 2, 3, 3, 1, 0};
-    Domain domain(nullptr, nullptr, nullptr);
+    MeshedDomain domain;
     give(domain, s);
     domain.build();
     domain.check();

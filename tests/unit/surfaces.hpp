@@ -10,8 +10,30 @@
 #include <vector>
 
 #include "domain/domain.hpp"
+#include "domain/mesh_check.hpp"
 
 namespace mgdt {
+
+// A domain and the mesh of its last build.
+class MeshedDomain : public Domain {
+  public:
+    MeshedDomain() : Domain(nullptr, nullptr, nullptr) {}
+    void build() {
+        mesh_ = DomainMesh(memory_);
+        Domain::build(mesh_);
+    }
+    // Checks the mesh, and compares it with the domain.
+    void check() const {
+        check_mesh(mesh_, settings().index_base, allocator());
+        Domain::check(mesh_);
+    }
+    DomainMesh& mesh() { return mesh_; }
+    const DomainMesh& mesh() const { return mesh_; }
+
+  private:
+    Allocator memory_;
+    DomainMesh mesh_{memory_};
+};
 
 struct Surface {
     explicit Surface(std::string of) : name(std::move(of)) {}

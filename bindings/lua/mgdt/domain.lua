@@ -5,33 +5,20 @@ local ffi = require "ffi"
 local C = require "mgdt.library"
 local constants = require "mgdt.interface"
 local arguments = require "mgdt.arguments"
+local keyed = require "mgdt.keyed"
 
-local status, options, arrays = constants.status, constants.domain_option, constants.domain_array
+local status = constants.status
 local raise, bad_argument = arguments.raise, arguments.bad_argument
 local whole, small, rows_of, shape_of = arguments.whole, arguments.small, arguments.rows_of, arguments.shape_of
-local ensure, message_of = arguments.raiser(C.mgdt_domain_get_error)
-
--- How many elements of an array belong together, where they are more than one.
-local widths = { offending_pairs = 4, open_edges = 3, tetrahedra = 4, neighbors = 4, faces = 3, face_tetrahedra = 2,
-    segments = 2, steiner_edges = 2, points = 3 }
+local choice = arguments.choice
+local of_domain, of_mesh = keyed.of "domain", keyed.of "mesh"
+local ensure = of_domain.ensure
 
 local kinds = {}
 for name, value in pairs(constants.domain_kind) do kinds[value] = name end
 
-local function get(handle, name)
-    local key, size, width = arrays[name], ffi.new("int64_t[1]"), widths[name]
-    local element = key < arrays.points and "int32_t" or "double"
-    ensure(handle, C.mgdt_domain_get_size(handle, key, size))
-    local length = tonumber(size[0])
-    local array = width and ffi.new(("%s[?][%d]"):format(element, width), length / width)
-        or ffi.new(element .. "[?]", length)
-    local read = element == "double" and C.mgdt_domain_get_doubles or C.mgdt_domain_get_array_i32
-    ensure(handle, read(handle, key, length, ffi.cast(element .. " *", array)))
-    return array, length / (width or 1)
-end
-
 local function pairs_of(handle)
-    local array, count = get(handle, "offending_pairs")
+    local array, count = of_domain.get(handle, "offending_pairs")
     local found = {}
     for k = 0, count - 1 do
         found[k + 1] = { kinds[array[k][0]], array[k][1], kinds[array[k][2]], array[k][3] }
@@ -90,10 +77,11 @@ local function markers_of(markers, n, what)
     return list_of(markers, what, "int32_t")
 end
 
-local function place_of(place, what)
-    local xyz, count = rows_of({ place }, nil, what, 3, "places")
-    if count ~= 1 then bad_argument("%s is not one place", what) end
-    return xyz
+-- Places as rows, one after another.
+local function places_of(places, what)
+    if #places == 0 then return nil, 0 end
+    local xyz, count = rows_of(places, nil, what, 3, "places")
+    return xyz, count
 end
 
 local known = { points = true, facets = true, markers = true, segments = true, segment_markers = true,
@@ -111,12 +99,11 @@ local function domain_of(given)
     if value ~= 0 then raise(value, ffi.string(C.mgdt_status_string(value))) end
     local handle = ffi.gc(out[0], C.mgdt_domain_destroy)
     local base = whole(given.index_base or 0, "index_base")
-    ensure(handle, C.mgdt_domain_set_option(handle, options.index_base, base))
-    ensure(handle, C.mgdt_domain_set_option(handle, options.threads, whole(given.threads or 1, "threads")))
-    ensure(handle, C.mgdt_domain_set_option(handle, options.memory_limit,
-        whole(given.memory_limit or 0, "memory_limit")))
-    ensure(handle, C.mgdt_domain_set_option(handle, options.round_points, given.rounded and 1 or 0))
-    ensure(handle, C.mgdt_domain_set_option(handle, options.strict, given.strict and 1 or 0))
+    of_domain.set_option(handle, "index_base", base)
+    of_domain.set_option(handle, "threads", whole(given.threads or 1, "threads"))
+    of_domain.set_option(handle, "memory_limit", whole(given.memory_limit or 0, "memory_limit"))
+    of_domain.set_option(handle, "round_points", given.rounded and 1 or 0)
+    of_domain.set_option(handle, "strict", given.strict and 1 or 0)
 
     local xyz, count = rows_of(given.points, nil, "points", 3, "points")
     ensure(handle, C.mgdt_domain_set_points(handle, count, xyz))
@@ -129,48 +116,55 @@ local function domain_of(given)
     end
     ensure(handle, C.mgdt_domain_set_segments(handle, #segments, list_of(ends, "the ends of segments", "int64_t"),
         markers_of(given.segment_markers, #segments, "segment_markers")))
-    for k, hole in ipairs(given.holes or {}) do
-        ensure(handle, C.mgdt_domain_add_hole(handle, place_of(hole, ("holes[%d]"):format(k))))
-    end
+    local holes, n_holes = places_of(given.holes or {}, "holes")
+    ensure(handle, C.mgdt_domain_set_holes(handle, n_holes, holes))
+    local places, of_regions = {}, {}
     for k, region in ipairs(given.regions or {}) do
         if type(region) ~= "table" then bad_argument("regions[%d] is no table {place, marker}", k) end
-        ensure(handle, C.mgdt_domain_add_region(handle, place_of(region[1], ("regions[%d]"):format(k)),
-            small(region[2], ("the marker of regions[%d]"):format(k))))
+        places[k], of_regions[k] = region[1], region[2]
+        small(region[2], ("the marker of regions[%d]"):format(k))
     end
+    local regions, n_regions = places_of(places, "regions")
+    ensure(handle, C.mgdt_domain_set_regions(handle, n_regions, regions,
+        list_of(of_regions, "the markers of regions", "int32_t")))
     return handle
 end
 -- Compiled code does not hold on to an array whose address alone is in use any more.
 jit.off(domain_of, true)
 
+-- A mesh of the library, which frees itself.
 local function build(handle, progress)
-    if progress == nil then return ensure_valid(handle, C.mgdt_domain_build(handle)) end
-    if type(progress) ~= "function" then bad_argument("the progress function is no function") end
-    local failed, problem = false, nil
-    local callback = ffi.cast("mgdt_progress_fn", function(fraction)
-        -- Nothing may be thrown through the library.
-        local good, stop = pcall(progress, fraction)
-        if not good then failed, problem = true, stop end
-        return (not good or stop) and 1 or 0
-    end)
-    C.mgdt_domain_set_progress(handle, callback, nil)
-    local value = C.mgdt_domain_build(handle)
-    C.mgdt_domain_set_progress(handle, nil, nil)
-    callback:free()
-    if failed then error(problem, 0) end
+    local out = ffi.new("mgdt_mesh *[1]")
+    local value = of_domain.watch(handle, progress, function(of) return C.mgdt_domain_build(of, out) end)
     ensure_valid(handle, value)
+    return ffi.gc(out[0], C.mgdt_mesh_destroy)
 end
 jit.off(build, true)
 
 local Mesh = {}
 Mesh.__index = Mesh
 
---- Proves the mesh against the facets and segments, exactly. True, or nil and what is wrong.
+--- Proves the mesh, and compares it with the facets and segments, exactly. True, or nil and what is wrong.
 function Mesh:check()
-    local value = C.mgdt_domain_check(self.handle)
-    if value == status.check_failed then return nil, message_of(self.handle, value) end
-    ensure(self.handle, value)
+    local value = C.mgdt_mesh_check(self.handle)
+    if value == status.check_failed then return nil, of_mesh.message_of(self.handle, value) end
+    of_mesh.ensure(self.handle, value)
+    value = C.mgdt_domain_check(self.domain, self.handle)
+    if value == status.check_failed then return nil, of_domain.message_of(self.domain, value) end
+    ensure(self.domain, value)
     return true
 end
+
+--- A measure of each tetrahedron: "volume", "radius_ratio", "least_angle", "largest_angle" or
+--- "longest_edge"; and the number of tetrahedra.
+function Mesh:tetrahedron_measures(measure)
+    local key = choice(measure, constants.tetrahedron, "the measure")
+    local x = ffi.new("double[?]", self.tetrahedron_count)
+    of_mesh.ensure(self.handle,
+        C.mgdt_mesh_get_tetrahedron_measures(self.handle, key, self.tetrahedron_count, x))
+    return x, self.tetrahedron_count
+end
+jit.off(Mesh.tetrahedron_measures)
 
 function Mesh:__tostring()
     return ("mgdt domain mesh: %d points, %d tetrahedra, %d regions"):format(self.point_count,
@@ -184,34 +178,26 @@ local domain = {}
 --- {{x, y, z}, marker}, rounded, strict (nothing may be left out), threads, memory_limit, index_base (0), and progress, a function as for
 --- set_progress().
 ---
---- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, segments,
---- steiner_edges and open_edges, with [k][0] and so on, and regions, region_markers, face_facets, face_markers,
---- segment_sources, segment_markers and steiner_parameters; mgdt/mgdt_domain.h says what they are.
---- point_count, tetrahedron_count, region_count, face_count, segment_count and steiner_count say how
---- many there are, and is_rounded whether points are rounded. check() proves the mesh.
+--- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, edges, steiner_edges and
+--- open_edges, with [k][0] and so on, and point_origins, tetrahedron_regions, region_markers, face_facets,
+--- face_markers, edge_segments, edge_markers and steiner_parameters; mgdt/mgdt_mesh.h says what they are.
+--- point_count, tetrahedron_count, region_count, face_count, edge_count and steiner_count say how many
+--- there are, and is_rounded whether points are rounded. check() proves the mesh.
 ---
 --- If facets, segments or points cross or touch where they must not, the error is named
 --- "invalid_boundary" and has `pairs`, as offending_pairs() gives them. If the facets enclose nothing, it
 --- is "open_boundary". Since 1.3.
 function domain.domain_mesh(given)
     local handle = domain_of(given)
-    build(handle, given.progress)
-    local mesh = { handle = handle }
-    for name in pairs(arrays) do
-        if name ~= "offending_pairs" then
-            local count
-            mesh[name], count = get(handle, name)
-            if name == "points" then mesh.point_count = count end
-            if name == "tetrahedra" then mesh.tetrahedron_count = count end
-            if name == "region_markers" then mesh.region_count = count end
-            if name == "faces" then mesh.face_count = count end
-            if name == "segments" then mesh.segment_count = count end
-            if name == "steiner_edges" then mesh.steiner_count = count end
-        end
+    local mesh = { domain = handle, handle = build(handle, given.progress) }
+    for name in pairs(constants.mesh_array) do mesh[name] = of_mesh.get(mesh.handle, name) end
+    mesh.open_edges = of_domain.get(handle, "open_edges")
+    for _, name in ipairs { "point", "tetrahedron", "region", "face", "edge" } do
+        local plural = name == "tetrahedron" and "tetrahedra" or name .. "s"
+        mesh[name .. "_count"] = of_mesh.statistic(mesh.handle, plural)
     end
-    local rounded = ffi.new("int64_t[1]")
-    ensure(handle, C.mgdt_domain_get_stat(handle, constants.domain_number.is_rounded, rounded))
-    mesh.is_rounded = rounded[0] == 1
+    mesh.steiner_count = of_mesh.statistic(mesh.handle, "steiner_points")
+    mesh.is_rounded = of_mesh.statistic(mesh.handle, "is_rounded") == 1
     return setmetatable(mesh, Mesh)
 end
 

@@ -5,6 +5,7 @@
 require("ffi").cdef [[
 typedef struct mgdt_triangulation mgdt_triangulation;
 typedef struct mgdt_voronoi mgdt_voronoi;
+typedef struct mgdt_mesh mgdt_mesh;
 typedef struct mgdt_domain mgdt_domain;
 typedef struct mgdt_periodic mgdt_periodic;
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
@@ -140,6 +141,7 @@ const char *mgdt_isa_name(const mgdt_triangulation *t);
 int32_t mgdt_voronoi_create(const mgdt_triangulation *t, int64_t n_planes, const double *planes,
                             mgdt_voronoi **out);
 void mgdt_voronoi_destroy(mgdt_voronoi *v);
+int32_t mgdt_voronoi_array_info(int32_t array, int32_t *columns, int32_t *is_double);
 int32_t mgdt_voronoi_get_size(const mgdt_voronoi *v, int32_t array, int64_t *size);
 int32_t mgdt_voronoi_get_array(const mgdt_voronoi *v, int32_t array, int64_t capacity,
                                int64_t *values);
@@ -149,6 +151,23 @@ int32_t mgdt_voronoi_get_doubles(const mgdt_voronoi *v, int32_t array, int64_t c
                                  double *values);
 int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double area, double relative);
 int32_t mgdt_voronoi_get_error(const mgdt_voronoi *v, int64_t capacity, char *buffer);
+void mgdt_mesh_destroy(mgdt_mesh *m);
+int32_t mgdt_mesh_set_option(mgdt_mesh *m, int32_t option, int64_t value);
+int32_t mgdt_mesh_get_option(const mgdt_mesh *m, int32_t option, int64_t *value);
+int32_t mgdt_mesh_set_progress(mgdt_mesh *m, mgdt_progress_fn fn, void *user);
+int32_t mgdt_mesh_get_progress(const mgdt_mesh *m, mgdt_progress_fn *fn, void **user);
+int32_t mgdt_mesh_cancel(mgdt_mesh *m);
+int32_t mgdt_mesh_get_stat(const mgdt_mesh *m, int32_t key, int64_t *value);
+int32_t mgdt_mesh_array_info(int32_t array, int32_t *columns, int32_t *is_double);
+int32_t mgdt_mesh_get_size(const mgdt_mesh *m, int32_t array, int64_t *size);
+int32_t mgdt_mesh_get_array(const mgdt_mesh *m, int32_t array, int64_t capacity, int64_t *values);
+int32_t mgdt_mesh_get_array_i32(const mgdt_mesh *m, int32_t array, int64_t capacity,
+                                int32_t *values);
+int32_t mgdt_mesh_get_doubles(const mgdt_mesh *m, int32_t array, int64_t capacity, double *values);
+int32_t mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh *m, int32_t measure, int64_t capacity,
+                                           double *x);
+int32_t mgdt_mesh_check(const mgdt_mesh *m);
+int32_t mgdt_mesh_get_error(const mgdt_mesh *m, int64_t capacity, char *buffer);
 int32_t mgdt_domain_create(mgdt_domain **out);
 int32_t mgdt_domain_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
                                           mgdt_domain **out);
@@ -157,25 +176,30 @@ int32_t mgdt_domain_clear(mgdt_domain *d);
 int32_t mgdt_domain_set_option(mgdt_domain *d, int32_t option, int64_t value);
 int32_t mgdt_domain_get_option(const mgdt_domain *d, int32_t option, int64_t *value);
 int32_t mgdt_domain_set_progress(mgdt_domain *d, mgdt_progress_fn fn, void *user);
+int32_t mgdt_domain_get_progress(const mgdt_domain *d, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_domain_cancel(mgdt_domain *d);
 int32_t mgdt_domain_set_points(mgdt_domain *d, int64_t n, const double *xyz);
 int32_t mgdt_domain_set_facets(mgdt_domain *d, int64_t n, const int64_t *offsets,
                                const int64_t *corners, const int32_t *markers);
+int32_t mgdt_domain_set_facets_i32(mgdt_domain *d, int64_t n, const int32_t *offsets,
+                                   const int32_t *corners, const int32_t *markers);
 int32_t mgdt_domain_set_segments(mgdt_domain *d, int64_t n, const int64_t *ends,
                                  const int32_t *markers);
-int32_t mgdt_domain_add_region(mgdt_domain *d, const double *xyz, int32_t marker);
-int32_t mgdt_domain_add_hole(mgdt_domain *d, const double *xyz);
+int32_t mgdt_domain_set_segments_i32(mgdt_domain *d, int64_t n, const int32_t *ends,
+                                     const int32_t *markers);
+int32_t mgdt_domain_set_regions(mgdt_domain *d, int64_t n, const double *xyz,
+                                const int32_t *markers);
+int32_t mgdt_domain_set_holes(mgdt_domain *d, int64_t n, const double *xyz);
 int32_t mgdt_domain_validate(mgdt_domain *d);
-int32_t mgdt_domain_build(mgdt_domain *d);
-int32_t mgdt_domain_check(const mgdt_domain *d);
+int32_t mgdt_domain_build(mgdt_domain *d, mgdt_mesh **out);
+int32_t mgdt_domain_check(const mgdt_domain *d, const mgdt_mesh *mesh);
 int32_t mgdt_domain_get_stat(const mgdt_domain *d, int32_t key, int64_t *value);
+int32_t mgdt_domain_array_info(int32_t array, int32_t *columns, int32_t *is_double);
 int32_t mgdt_domain_get_size(const mgdt_domain *d, int32_t array, int64_t *size);
 int32_t mgdt_domain_get_array(const mgdt_domain *d, int32_t array, int64_t capacity,
                               int64_t *values);
 int32_t mgdt_domain_get_array_i32(const mgdt_domain *d, int32_t array, int64_t capacity,
                                   int32_t *values);
-int32_t mgdt_domain_get_doubles(const mgdt_domain *d, int32_t array, int64_t capacity,
-                                double *values);
 int32_t mgdt_domain_get_error(const mgdt_domain *d, int64_t capacity, char *buffer);
 int32_t mgdt_periodic_create(int32_t dimensions, const double *vectors, mgdt_periodic **out);
 int32_t mgdt_periodic_create_with_allocator(int32_t dimensions, const double *vectors,
@@ -188,13 +212,17 @@ int32_t mgdt_periodic_get_option(const mgdt_periodic *p, int32_t option, int64_t
 int32_t mgdt_periodic_set_merge_distance(mgdt_periodic *p, double distance);
 int32_t mgdt_periodic_get_merge_distance(const mgdt_periodic *p, double *distance);
 int32_t mgdt_periodic_set_progress(mgdt_periodic *p, mgdt_progress_fn fn, void *user);
+int32_t mgdt_periodic_get_progress(const mgdt_periodic *p, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_periodic_cancel(mgdt_periodic *p);
 int32_t mgdt_periodic_insert_points(mgdt_periodic *p, int64_t n, const double *xyz);
 int32_t mgdt_periodic_move_points(mgdt_periodic *p, int64_t n, const int64_t *points,
                                   const double *xyz);
+int32_t mgdt_periodic_move_points_i32(mgdt_periodic *p, int64_t n, const int32_t *points,
+                                      const double *xyz);
 int32_t mgdt_periodic_build(mgdt_periodic *p);
 int32_t mgdt_periodic_check(const mgdt_periodic *p);
 int32_t mgdt_periodic_get_stat(const mgdt_periodic *p, int32_t key, int64_t *value);
+int32_t mgdt_periodic_array_info(int32_t array, int32_t *columns, int32_t *is_double);
 int32_t mgdt_periodic_get_size(const mgdt_periodic *p, int32_t array, int64_t *size);
 int32_t mgdt_periodic_get_array(const mgdt_periodic *p, int32_t array, int64_t capacity,
                                 int64_t *values);
@@ -235,18 +263,21 @@ return {
         cell_neighbors = 33, cell_neighbor_images = 34, vertices = 50, ray_directions = 51,
         face_areas = 60, face_normals = 61, face_centroids = 62, cell_volumes = 70,
         cell_centroids = 71, cell_face_areas = 72, cell_neighbor_distances = 73 },
+    mesh_option = { index_base = 10, threads = 20, memory_limit = 30 },
+    mesh_stat = { points = 100, steiner_points = 101, tetrahedra = 102, regions = 103, faces = 104,
+        edges = 105, memory_bytes = 110, is_rounded = 120, grid_bits = 121, unused_points = 130,
+        unused_faces = 131, unused_regions = 132, unused_holes = 133, planar_facets = 140,
+        missing_facets = 141, cavities = 142, largest_cavity = 143 },
+    mesh_array = { point_origins = 200, tetrahedra = 210, neighbors = 211,
+        tetrahedron_regions = 212, region_markers = 220, faces = 230, face_tetrahedra = 231,
+        face_facets = 232, face_markers = 233, edges = 240, edge_segments = 241, edge_markers = 242,
+        steiner_edges = 250, points = 300, steiner_parameters = 310 },
     domain_kind = { facet = 0, segment = 1, point = 2 },
     domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40,
         strict = 50 },
-    domain_number = { given_points = 10, given_facets = 11, given_segments = 12, memory_bytes = 15,
-        open_edges = 16, steiner_points = 20, tetrahedra = 21, regions = 22, faces = 23,
-        is_rounded = 24, grid_bits = 25, unused_points = 26, unused_faces = 27, unused_regions = 28,
-        unused_holes = 29, planar_facets = 30, missing_facets = 31, cavities = 32,
-        largest_cavity = 33 },
-    domain_array = { offending_pairs = 10, open_edges = 11, tetrahedra = 20, neighbors = 21,
-        regions = 22, region_markers = 23, faces = 30, face_tetrahedra = 31, face_facets = 32,
-        face_markers = 33, segments = 40, segment_sources = 41, segment_markers = 42,
-        steiner_edges = 50, points = 60, steiner_parameters = 61 },
+    domain_stat = { points = 100, facets = 101, segments = 102, regions = 103, holes = 104,
+        memory_bytes = 110, offending_pairs = 120, open_edges = 121 },
+    domain_array = { offending_pairs = 200, open_edges = 210 },
     periodic_option = { index_base = 10, threads = 20, memory_limit = 30 },
     periodic_number = { given_points = 10, memory_bytes = 15, dimensions = 16, vertices = 20,
         tetrahedra = 21, edges = 22, images = 23, rounds = 24 },

@@ -5,21 +5,20 @@ from __future__ import annotations
 
 import copy
 import ctypes
-from ctypes import c_int64, c_void_p
+from ctypes import c_void_p
 from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _errors, _library
+from . import _errors
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
-from ._gate import Gate, free, interruptibly
+from ._gate import Gate, interruptibly
 from ._insertion import SHORT
 from ._interface import CONSTANTS
-
-_MESSAGE_BYTES = 512
-_DOUBLES = ("points", "steiner_parameters")
+from ._keyed import Keyed
+from .export import to_meshio, to_pyvista
 
 Facets = Union[ArrayLike, Sequence[Sequence[int]]]
 
@@ -57,11 +56,6 @@ class OpenBoundary(_errors.Error, ValueError):
     """
 
     edges: IndexArray
-
-
-def _function(name: str) -> Callable[..., Any]:
-    function: Callable[..., Any] = getattr(_library.library, "mgdt_domain_" + name)
-    return function
 
 
 def _integers(values: Any, name: str, columns: Optional[int] = None) -> NDArray[np.int64]:
@@ -106,40 +100,47 @@ def _markers(values: Optional[ArrayLike], n: int, name: str) -> Optional[NDArray
     return wide.astype(np.int32)
 
 
-class _Handle:
-    """A domain of the library."""
+class _Mesh(Keyed):
+    """A mesh of the library."""
+
+    kind = "mesh"
+
+    def measures(self, name: str) -> FloatArray:
+        values = np.empty(self.statistic("tetrahedra"))
+        self.call("get_tetrahedron_measures", CONSTANTS["tetrahedron"][name], values.size, address(values))
+        return values
+
+
+class _Domain(Keyed):
+    """A domain of the library, and the mesh of its last build."""
+
+    kind = "domain"
+    mesh: _Mesh
 
     def __init__(self) -> None:
-        self._pointer = c_void_p()
-        status = _function("create")(ctypes.byref(self._pointer))
-        if status != _errors.OK:
-            raise _errors.make(status, "the library made no domain: out of memory")
-
-    def __del__(self) -> None:
-        if getattr(self, "_pointer", None):
-            free(_function("destroy"), self._pointer)
+        super().__init__(self._create())
 
     def quiet(self, name: str, *arguments: Any) -> int:
-        return int(_function(name)(self._pointer, *arguments))
-
-    def call(self, name: str, *arguments: Any) -> None:
-        status = self.quiet(name, *arguments)
+        if name != "build":
+            return super().quiet(name, *arguments)
+        pointer = c_void_p()
+        status = super().quiet(name, ctypes.byref(pointer))
         if status == _errors.OK:
-            return
-        buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
-        self.quiet("get_error", _MESSAGE_BYTES, buffer)
-        message = _library.text(buffer.value)
+            self.mesh = _Mesh(pointer)
+        return status
+
+    def error(self, status: int, message: str) -> BaseException:
         if status == _errors.INVALID_BOUNDARY:
             invalid = InvalidBoundary(message)
             invalid.status = status
             invalid.pairs = self.pairs()
-            raise invalid
+            return invalid
         if status == _errors.OPEN_BOUNDARY:
             is_open = OpenBoundary(message)
             is_open.status = status
-            is_open.edges = self.array("open_edges").reshape(-1, 3)
-            raise is_open
-        raise _errors.make(status, message)
+            is_open.edges = self.array("open_edges")
+            return is_open
+        return super().error(status, message)
 
     def set(
         self,
@@ -170,25 +171,23 @@ class _Handle:
             None if of_segments is None else address(of_segments),
         )
 
-    def number(self, name: str) -> int:
-        value = c_int64()
-        self.call("get_stat", CONSTANTS["domain_number"][name], ctypes.byref(value))
-        return value.value
-
-    def array(self, name: str) -> Any:
-        key, size = CONSTANTS["domain_array"][name], c_int64()
-        self.call("get_size", key, ctypes.byref(size))
-        if name in _DOUBLES:
-            doubles = np.empty(size.value)
-            self.call("get_doubles", key, size.value, address(doubles))
-            return doubles
-        integers = np.empty(size.value, np.int32)
-        self.call("get_array_i32", key, size.value, address(integers))
-        return integers
+    def set_places(
+        self, holes: Optional[ArrayLike], regions: Sequence[tuple[ArrayLike, int]]
+    ) -> None:
+        rows = np.ascontiguousarray(as_points(np.empty((0, 3)) if holes is None else holes, "holes"))
+        self.call("set_holes", len(rows), address(rows))
+        places = [np.asarray(where) for where, _ in regions]
+        rows = np.ascontiguousarray(
+            np.concatenate([as_points(place[None], "regions") for place in places])
+            if places
+            else np.empty((0, 3))
+        )
+        values = _markers([marker for _, marker in regions], len(rows), "the markers of regions")
+        self.call("set_regions", len(rows), address(rows), None if values is None else address(values))
 
     def pairs(self) -> list[OffendingPair]:
         kinds = {value: name for name, value in CONSTANTS["domain_kind"].items()}
-        rows = self.array("offending_pairs").reshape(-1, 4).tolist()
+        rows = self.array("offending_pairs").tolist()
         return [OffendingPair(kinds[a], i, kinds[b], k) for a, i, b, k in rows]
 
 
@@ -220,8 +219,8 @@ def offending_pairs(
     >>> mgdt.offending_pairs(points, [[0, 1, 2], [3, 4, 5]])
     [OffendingPair(first_kind='facet', first=0, second_kind='facet', second=1)]
     """
-    handle = _Handle()
-    handle.call("set_option", CONSTANTS["domain_option"]["threads"], threads)
+    handle = _Domain()
+    handle.set_option("threads", threads)
     handle.set(points, facets, None, segments, None)
     try:
         interruptibly(lambda _: handle.call("validate"), True)
@@ -267,9 +266,12 @@ class DomainMesh:
     ----------
     points : (p, 3) array
         The points that were given, then the Steiner points.
+    point_origins : (p,) array
+        The row of the points that were given that each point is, of equal ones the first; -1 for a
+        Steiner point.
     simplices, neighbors : (t, 4) arrays
         Corners of tetrahedra, and the tetrahedra opposite them; -1 where the domain ends.
-    regions : (t,) array
+    simplex_regions : (t,) array
         The number of the region of each tetrahedron, from 0.
     region_markers : array
         The marker of each region: that of the last of `regions` inside of it, or 0.
@@ -278,9 +280,9 @@ class DomainMesh:
     face_simplices : (f, 2) array
         The tetrahedra at each face: the one that the normal points to, and the other; -1 for none.
     face_facets, face_markers : (f,) arrays
-    segments : (e, 2) array
+    edges : (e, 2) array
         Edges that are parts of segments or of edges of facets.
-    segment_sources, segment_markers : (e,) arrays
+    edge_segments, edge_markers : (e,) arrays
         The segment that was given, or -1, and its marker, or 0.
     steiner_edges : (q, 2) array
         The ends a and b of the edge that each Steiner point divides.
@@ -288,6 +290,8 @@ class DomainMesh:
         The t for which it is a + t (b - a).
     open_edges : (o, 3) array
         The ends of each edge that one facet alone has, and this facet.
+    npoints, nsimplex : int
+        The numbers of points and of tetrahedra.
     is_rounded : bool
         Whether `points` are rounded.
     unused_points : int
@@ -338,46 +342,47 @@ class DomainMesh:
                 "memory_limit": memory_limit,
             }
         )
-        handle = self._handle = _Handle()
-        option = CONSTANTS["domain_option"]
-        handle.call("set_option", option["threads"], threads)
-        handle.call("set_option", option["memory_limit"], memory_limit)
-        handle.call("set_option", option["round_points"], int(rounded))
-        handle.call("set_option", option["strict"], int(strict))
+        handle = self._domain = _Domain()
+        handle.set_option("threads", threads)
+        handle.set_option("memory_limit", memory_limit)
+        handle.set_option("round_points", int(rounded))
+        handle.set_option("strict", int(strict))
         handle.set(points, facets, markers, segments, segment_markers)
-        if holes is not None:
-            for place in np.ascontiguousarray(as_points(holes, "holes")):
-                handle.call("add_hole", address(place))
-        for where, marker in regions:
-            row = np.ascontiguousarray(as_points(np.asarray(where)[None], "regions"))
-            value = _markers([marker], 1, "the markers of regions")
-            handle.call("add_region", address(row), 0 if value is None else int(value[0]))
+        handle.set_places(holes, regions)
         # A small surface may need many points.
         build(handle, Gate(), progress, SHORT)
+        mesh = self._mesh = handle.mesh
+        self.points: FloatArray = mesh.array("points")
+        self.point_origins: IndexArray = mesh.array("point_origins")
+        self.simplices: IndexArray = mesh.array("tetrahedra")
+        self.neighbors: IndexArray = mesh.array("neighbors")
+        self.simplex_regions: IndexArray = mesh.array("tetrahedron_regions")
+        self.region_markers: IndexArray = mesh.array("region_markers")
+        self.faces: IndexArray = mesh.array("faces")
+        self.face_simplices: IndexArray = mesh.array("face_tetrahedra")
+        self.face_facets: IndexArray = mesh.array("face_facets")
+        self.face_markers: IndexArray = mesh.array("face_markers")
+        self.edges: IndexArray = mesh.array("edges")
+        self.edge_segments: IndexArray = mesh.array("edge_segments")
+        self.edge_markers: IndexArray = mesh.array("edge_markers")
+        self.steiner_edges: IndexArray = mesh.array("steiner_edges")
+        self.steiner_parameters: FloatArray = mesh.array("steiner_parameters")
+        self.open_edges: IndexArray = handle.array("open_edges")
+        self.is_rounded = mesh.statistic("is_rounded") == 1
+        self.unused_points = mesh.statistic("unused_points")
+        self.unused_faces = mesh.statistic("unused_faces")
+        self.unused_regions = mesh.statistic("unused_regions")
+        self.unused_holes = mesh.statistic("unused_holes")
 
-        def rows(name: str, columns: int) -> Any:
-            return handle.array(name).reshape(-1, columns)
+    @property
+    def npoints(self) -> int:
+        """The number of points, Steiner points included."""
+        return len(self.points)
 
-        self.points: FloatArray = rows("points", 3)
-        self.simplices: IndexArray = rows("tetrahedra", 4)
-        self.neighbors: IndexArray = rows("neighbors", 4)
-        self.regions: IndexArray = handle.array("regions")
-        self.region_markers: IndexArray = handle.array("region_markers")
-        self.faces: IndexArray = rows("faces", 3)
-        self.face_simplices: IndexArray = rows("face_tetrahedra", 2)
-        self.face_facets: IndexArray = handle.array("face_facets")
-        self.face_markers: IndexArray = handle.array("face_markers")
-        self.segments: IndexArray = rows("segments", 2)
-        self.segment_sources: IndexArray = handle.array("segment_sources")
-        self.segment_markers: IndexArray = handle.array("segment_markers")
-        self.open_edges: IndexArray = rows("open_edges", 3)
-        self.steiner_edges: IndexArray = rows("steiner_edges", 2)
-        self.steiner_parameters: FloatArray = handle.array("steiner_parameters")
-        self.is_rounded = handle.number("is_rounded") == 1
-        self.unused_points = handle.number("unused_points")
-        self.unused_faces = handle.number("unused_faces")
-        self.unused_regions = handle.number("unused_regions")
-        self.unused_holes = handle.number("unused_holes")
+    @property
+    def nsimplex(self) -> int:
+        """The number of tetrahedra."""
+        return len(self.simplices)
 
     # Copies are built again from what was given, and share nothing with the original.
 
@@ -395,7 +400,38 @@ class DomainMesh:
         CheckFailed
             If it has a defect. The message says what and where.
         """
-        interruptibly(lambda _: self._handle.call("check"), True)
+        def check(_: Callable[[], bool]) -> None:
+            self._mesh.call("check")
+            self._domain.call("check", self._mesh.pointer)
+
+        interruptibly(check, True)
+
+    def tetrahedron_measures(self, measure: str) -> FloatArray:
+        """A measure of each tetrahedron, as `Delaunay.tetrahedron_measures` has it.
+
+        Parameters
+        ----------
+        measure : "volume", "radius_ratio", "least_angle", "largest_angle" or "longest_edge"
+        """
+        if measure not in CONSTANTS["tetrahedron"]:
+            known = ", ".join(CONSTANTS["tetrahedron"])
+            raise ValueError(f"there is no measure {measure!r} of tetrahedra; there are {known}")
+        return interruptibly(lambda _: self._mesh.measures(measure), True)
+
+    def to_meshio(self) -> Any:
+        """Points, tetrahedra and faces as a ``meshio.Mesh``. Cell data "marker" has the markers of the
+        regions of tetrahedra, and those of faces."""
+        return to_meshio(self, [("triangle", self.faces)], self._cell_data())
+
+    def to_pyvista(self) -> Any:
+        """Points and tetrahedra as a ``pyvista.UnstructuredGrid``, with the markers of regions as the
+        cell data "marker"."""
+        grid = to_pyvista(self)
+        grid.cell_data["marker"] = self._cell_data()["marker"][0]
+        return grid
+
+    def _cell_data(self) -> dict[str, list[Any]]:
+        return {"marker": [self.region_markers[self.simplex_regions], self.face_markers]}
 
     def __repr__(self) -> str:
         n = len(self.region_markers)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, Protocol
+from typing import Any, Optional, Protocol, Sequence
 
 import numpy as np
 
@@ -103,8 +103,22 @@ def to_scipy(triangulation: Triangulated) -> Any:
     return given
 
 
-def to_meshio(triangulation: Triangulated) -> Any:
-    """All points and the tetrahedra as a ``meshio.Mesh``.
+class Tetrahedra(Protocol):
+    """Points and tetrahedra, of a triangulation or of a mesh."""
+
+    @property
+    def points(self) -> FloatArray: ...
+    @property
+    def simplices(self) -> IndexArray: ...
+
+
+def to_meshio(
+    triangulation: Tetrahedra,
+    cells: Sequence[tuple[str, Any]] = (),
+    cell_data: Optional[dict[str, list[Any]]] = None,
+) -> Any:
+    """All points and the tetrahedra as a ``meshio.Mesh``, with further blocks of cells behind them, and
+    data for all blocks.
 
     Raises
     ------
@@ -113,13 +127,15 @@ def to_meshio(triangulation: Triangulated) -> Any:
 
     Notes
     -----
-    Since 1.0.
+    Since 1.0; further cells and data since 1.3.
     """
     meshio = _module("meshio", "meshio", "to_meshio")
-    return meshio.Mesh(triangulation.points, [("tetra", triangulation.simplices)])
+    return meshio.Mesh(
+        triangulation.points, [("tetra", triangulation.simplices), *cells], cell_data=cell_data
+    )
 
 
-def to_pyvista(triangulation: Triangulated) -> Any:
+def to_pyvista(triangulation: Tetrahedra) -> Any:
     """All points and the tetrahedra as a ``pyvista.UnstructuredGrid``.
 
     Raises

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The constants of mgdt.h, mgdt_domain.h, mgdt_parts.h and mgdt_voronoi.h as enum classes, and
- * their names. Part of mgdt/mgdt.hpp, which includes it. */
+ * The constants of the C headers as enum classes, and their names. Part of mgdt/mgdt.hpp, which
+ * includes it. */
 #ifndef MGDT_CXX_CONSTANTS_HPP
 #define MGDT_CXX_CONSTANTS_HPP
 
@@ -8,6 +8,7 @@
 
 #include "../mgdt.h"
 #include "../mgdt_domain.h"
+#include "../mgdt_mesh.h"
 #include "../mgdt_parts.h"
 #include "../mgdt_periodic.h"
 #include "../mgdt_voronoi.h"
@@ -131,7 +132,7 @@ enum class VoronoiArray : std::int32_t {
 
 /** Arrays of doubles of a Voronoi diagram; see MGDT_VORONOI_VERTICES and its neighbours.
  *  @since 1.3 */
-enum class VoronoiNumbers : std::int32_t {
+enum class VoronoiDoubles : std::int32_t {
     vertices = MGDT_VORONOI_VERTICES,
     ray_directions = MGDT_VORONOI_RAY_DIRECTIONS,
     face_areas = MGDT_VORONOI_FACE_AREAS,
@@ -151,55 +152,84 @@ enum class DomainKind : std::int32_t {
     point = MGDT_DOMAIN_KIND_POINT
 };
 
-/** Options of a domain; see MGDT_DOMAIN_INDEX_BASE and its neighbours. @since 1.3 */
+/** Options of a domain; see MGDT_DOMAIN_OPTION_INDEX_BASE and its neighbours. @since 1.3 */
 enum class DomainOption : std::int32_t {
-    index_base = MGDT_DOMAIN_INDEX_BASE,
-    threads = MGDT_DOMAIN_THREADS,
-    memory_limit = MGDT_DOMAIN_MEMORY_LIMIT,
-    round_points = MGDT_DOMAIN_ROUND_POINTS,
-    strict = MGDT_DOMAIN_STRICT
+    index_base = MGDT_DOMAIN_OPTION_INDEX_BASE,
+    threads = MGDT_DOMAIN_OPTION_THREADS,
+    memory_limit = MGDT_DOMAIN_OPTION_MEMORY_LIMIT,
+    round_points = MGDT_DOMAIN_OPTION_ROUND_POINTS,
+    strict = MGDT_DOMAIN_OPTION_STRICT
 };
 
-/** Numbers of a domain; see MGDT_DOMAIN_GIVEN_POINTS and its neighbours. @since 1.3 */
-enum class DomainNumber : std::int32_t {
-    given_points = MGDT_DOMAIN_GIVEN_POINTS,
-    given_facets = MGDT_DOMAIN_GIVEN_FACETS,
-    given_segments = MGDT_DOMAIN_GIVEN_SEGMENTS,
-    memory_bytes = MGDT_DOMAIN_MEMORY_BYTES,
-    open_edges = MGDT_DOMAIN_OPEN_EDGES,
-    steiner_points = MGDT_DOMAIN_STEINER_POINTS,
-    tetrahedra = MGDT_DOMAIN_TETRAHEDRA,
-    regions = MGDT_DOMAIN_REGIONS,
-    faces = MGDT_DOMAIN_FACES,
-    is_rounded = MGDT_DOMAIN_IS_ROUNDED,
-    grid_bits = MGDT_DOMAIN_GRID_BITS,
-    unused_points = MGDT_DOMAIN_UNUSED_POINTS,
-    unused_faces = MGDT_DOMAIN_UNUSED_FACES,
-    unused_regions = MGDT_DOMAIN_UNUSED_REGIONS,
-    unused_holes = MGDT_DOMAIN_UNUSED_HOLES,
-    planar_facets = MGDT_DOMAIN_PLANAR_FACETS,
-    missing_facets = MGDT_DOMAIN_MISSING_FACETS,
-    cavities = MGDT_DOMAIN_CAVITIES,
-    largest_cavity = MGDT_DOMAIN_LARGEST_CAVITY
+/** Statistics of a domain; see MGDT_DOMAIN_STAT_POINTS and its neighbours. @since 1.3 */
+enum class DomainStatistic : std::int32_t {
+    points = MGDT_DOMAIN_STAT_POINTS,
+    facets = MGDT_DOMAIN_STAT_FACETS,
+    segments = MGDT_DOMAIN_STAT_SEGMENTS,
+    regions = MGDT_DOMAIN_STAT_REGIONS,
+    holes = MGDT_DOMAIN_STAT_HOLES,
+    memory_bytes = MGDT_DOMAIN_STAT_MEMORY_BYTES,
+    offending_pairs = MGDT_DOMAIN_STAT_OFFENDING_PAIRS,
+    open_edges = MGDT_DOMAIN_STAT_OPEN_EDGES
 };
 
 /** Arrays of integers of a domain; see MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS and its neighbours.
- *  @since 1.3 */
+ * @since 1.3 */
 enum class DomainArray : std::int32_t {
     offending_pairs = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS,
-    open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES,
-    tetrahedra = MGDT_DOMAIN_ARRAY_TETRAHEDRA,
-    neighbors = MGDT_DOMAIN_ARRAY_NEIGHBORS,
-    regions = MGDT_DOMAIN_ARRAY_REGIONS,
-    region_markers = MGDT_DOMAIN_ARRAY_REGION_MARKERS,
-    faces = MGDT_DOMAIN_ARRAY_FACES,
-    face_tetrahedra = MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA,
-    face_facets = MGDT_DOMAIN_ARRAY_FACE_FACETS,
-    face_markers = MGDT_DOMAIN_ARRAY_FACE_MARKERS,
-    segments = MGDT_DOMAIN_ARRAY_SEGMENTS,
-    segment_sources = MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES,
-    segment_markers = MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS,
-    steiner_edges = MGDT_DOMAIN_ARRAY_STEINER_EDGES
+    open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES
+};
+
+/** Options of a mesh; see MGDT_MESH_OPTION_INDEX_BASE and its neighbours. @since 1.3 */
+enum class MeshOption : std::int32_t {
+    index_base = MGDT_MESH_OPTION_INDEX_BASE,
+    threads = MGDT_MESH_OPTION_THREADS,
+    memory_limit = MGDT_MESH_OPTION_MEMORY_LIMIT
+};
+
+/** Statistics of a mesh; see MGDT_MESH_STAT_POINTS and its neighbours. @since 1.3 */
+enum class MeshStatistic : std::int32_t {
+    points = MGDT_MESH_STAT_POINTS,
+    steiner_points = MGDT_MESH_STAT_STEINER_POINTS,
+    tetrahedra = MGDT_MESH_STAT_TETRAHEDRA,
+    regions = MGDT_MESH_STAT_REGIONS,
+    faces = MGDT_MESH_STAT_FACES,
+    edges = MGDT_MESH_STAT_EDGES,
+    memory_bytes = MGDT_MESH_STAT_MEMORY_BYTES,
+    is_rounded = MGDT_MESH_STAT_IS_ROUNDED,
+    grid_bits = MGDT_MESH_STAT_GRID_BITS,
+    unused_points = MGDT_MESH_STAT_UNUSED_POINTS,
+    unused_faces = MGDT_MESH_STAT_UNUSED_FACES,
+    unused_regions = MGDT_MESH_STAT_UNUSED_REGIONS,
+    unused_holes = MGDT_MESH_STAT_UNUSED_HOLES,
+    planar_facets = MGDT_MESH_STAT_PLANAR_FACETS,
+    missing_facets = MGDT_MESH_STAT_MISSING_FACETS,
+    cavities = MGDT_MESH_STAT_CAVITIES,
+    largest_cavity = MGDT_MESH_STAT_LARGEST_CAVITY
+};
+
+/** Arrays of integers of a mesh; see MGDT_MESH_ARRAY_POINT_ORIGINS and its neighbours. @since 1.3
+ */
+enum class MeshArray : std::int32_t {
+    point_origins = MGDT_MESH_ARRAY_POINT_ORIGINS,
+    tetrahedra = MGDT_MESH_ARRAY_TETRAHEDRA,
+    neighbors = MGDT_MESH_ARRAY_NEIGHBORS,
+    tetrahedron_regions = MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS,
+    region_markers = MGDT_MESH_ARRAY_REGION_MARKERS,
+    faces = MGDT_MESH_ARRAY_FACES,
+    face_tetrahedra = MGDT_MESH_ARRAY_FACE_TETRAHEDRA,
+    face_facets = MGDT_MESH_ARRAY_FACE_FACETS,
+    face_markers = MGDT_MESH_ARRAY_FACE_MARKERS,
+    edges = MGDT_MESH_ARRAY_EDGES,
+    edge_segments = MGDT_MESH_ARRAY_EDGE_SEGMENTS,
+    edge_markers = MGDT_MESH_ARRAY_EDGE_MARKERS,
+    steiner_edges = MGDT_MESH_ARRAY_STEINER_EDGES
+};
+
+/** Arrays of doubles of a mesh; see MGDT_MESH_ARRAY_POINTS and its neighbours. @since 1.3 */
+enum class MeshDoubles : std::int32_t {
+    points = MGDT_MESH_ARRAY_POINTS,
+    steiner_parameters = MGDT_MESH_ARRAY_STEINER_PARAMETERS
 };
 
 /** Options of a periodic box; see MGDT_PERIODIC_INDEX_BASE and its neighbours. @since 1.3 */
@@ -233,6 +263,13 @@ enum class PeriodicArray : std::int32_t {
     vertex_neighbor_starts = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
     vertex_neighbors = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
     vertex_neighbor_offsets = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS
+};
+
+/** Arrays of doubles of a periodic box; see MGDT_PERIODIC_ARRAY_POINTS and its neighbour.
+ *  @since 1.3 */
+enum class PeriodicDoubles : std::int32_t {
+    points = MGDT_PERIODIC_ARRAY_POINTS,
+    vectors = MGDT_PERIODIC_ARRAY_VECTORS
 };
 
 /** Options of parts; see MGDT_PARTS_INDEX_BASE and its neighbours. @since 1.2 */

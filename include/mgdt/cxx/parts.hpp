@@ -21,9 +21,21 @@
 namespace mgdt {
 inline namespace cxx1 {
 
+namespace detail {
+
+struct PartsCalls {
+    using Handle = mgdt_parts;
+    static constexpr auto destroy = mgdt_parts_destroy;
+    static constexpr auto set_progress = mgdt_parts_set_progress;
+    static constexpr auto cancel = mgdt_parts_cancel;
+    static constexpr auto get_error = mgdt_parts_get_error;
+};
+
+}  // namespace detail
+
 /** Points in parts and their triangulation; see mgdt_parts.h. It can be moved, not copied. The
  *  default of the argument `part` is the only part of the process. @since 1.2 */
-class Parts {
+class Parts : public detail::Worker<detail::PartsCalls> {
   public:
     /** Stands for the part of this process; MGDT_PARTS_THIS_PART. */
     static constexpr std::int32_t this_part = MGDT_PARTS_THIS_PART;
@@ -33,9 +45,9 @@ class Parts {
     /** Makes parts in this process that take all their memory from `alloc`;
      *  mgdt_parts_create_with_allocator(). Neither function may throw. @throw OutOfMemory, Error */
     Parts(std::int32_t parts, mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
-        mgdt_parts* made = nullptr;
-        require(mgdt_parts_create_with_allocator(parts, alloc, give_back, user, &made), nullptr);
-        handle_.reset(made);
+        make([&](mgdt_parts** out) {
+            return mgdt_parts_create_with_allocator(parts, alloc, give_back, user, out);
+        });
     }
     /** Makes parts in this process with the memory of a resource, see Triangulation. @throw
      *  OutOfMemory, Error */
@@ -47,77 +59,33 @@ class Parts {
     /** Makes the part of this process. Processes exchange bytes by functions of the caller;
      *  mgdt_parts_create_with_transport(). @throw OutOfMemory, Error */
     explicit Parts(const mgdt_transport& transport) {
-        mgdt_parts* made = nullptr;
-        require(mgdt_parts_create_with_transport(&transport, &made), nullptr);
-        handle_.reset(made);
+        make([&](mgdt_parts** out) { return mgdt_parts_create_with_transport(&transport, out); });
     }
-    /** Takes ownership of a handle of the C interface, such as one of mgdt_mpi_create(). */
-    explicit Parts(mgdt_parts* owned) noexcept : handle_(owned) {}
+    /** Takes ownership of a handle of the C interface, such as one of mgdt_mpi_create(). For such a
+     *  handle the destructor is collective. */
+    explicit Parts(mgdt_parts* owned) noexcept : Worker(owned) {}
 
-    Parts(Parts&&) noexcept = default;
-    Parts& operator=(Parts&&) noexcept = default;
-    Parts(const Parts&) = delete;
-    Parts& operator=(const Parts&) = delete;
-    /** mgdt_parts_destroy(): collective for a handle of mgdt_mpi_create(). */
-    ~Parts() = default;
-    friend void swap(Parts& a, Parts& b) noexcept {
-        a.progress_.swap(b.progress_);
-        a.handle_.swap(b.handle_);
-    }
-
-    /** Whether the object owns a handle: true until the handle is moved or released. */
-    [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
-    /** The handle, for calls of the C interface. The object still owns it. */
-    [[nodiscard]] mgdt_parts* handle() noexcept { return handle_.get(); }
-    [[nodiscard]] const mgdt_parts* handle() const noexcept { return handle_.get(); }
-    /** Releases ownership of the handle, which the caller frees by mgdt_parts_destroy(). A callback
-     *  of set_progress() is removed. Returns NULL and releases nothing in a callback of the
-     *  object. */
-    [[nodiscard]] mgdt_parts* release() noexcept {
-        if (progress_ && mgdt_parts_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
-            return nullptr;
-        progress_.reset();
-        return handle_.release();
-    }
+    friend void swap(Parts& a, Parts& b) noexcept { a.swap_with(b); }
 
     /** mgdt_parts_clear(). @throw Error */
-    void clear() { require(mgdt_parts_clear(handle_.get())); }
+    void clear() { require(mgdt_parts_clear(get())); }
 
     /** mgdt_parts_set_option(). @throw Error */
     void set_option(PartsOption option, std::int64_t value) {
-        require(mgdt_parts_set_option(handle_.get(), static_cast<std::int32_t>(option), value));
+        require(mgdt_parts_set_option(get(), static_cast<std::int32_t>(option), value));
     }
     /** mgdt_parts_get_option(). @throw Error */
     [[nodiscard]] std::int64_t option(PartsOption option) const {
         std::int64_t value = 0;
-        require(mgdt_parts_get_option(handle_.get(), static_cast<std::int32_t>(option), &value));
+        require(mgdt_parts_get_option(get(), static_cast<std::int32_t>(option), &value));
         return value;
-    }
-
-    /** Sets the progress callback, as Triangulation::set_progress(). @throw Error,
-     *  std::bad_alloc */
-    template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
-    void set_progress(F&& call) {
-        auto next = detail::Progress::make(std::forward<F>(call));
-        require(mgdt_parts_set_progress(handle_.get(), &detail::Progress::hear, next.get()));
-        progress_ = std::move(next);
-    }
-    /** Removes the progress callback. @throw Error */
-    void clear_progress() {
-        require(mgdt_parts_set_progress(handle_.get(), nullptr, nullptr));
-        progress_.reset();
-    }
-    /** mgdt_parts_cancel(); from any thread and from signal handlers. */
-    void cancel() noexcept {
-        if (handle_) mgdt_parts_cancel(handle_.get());
     }
 
     /** mgdt_parts_insert_points(). @throw OutOfMemory, Error; the next build() of all processes
      *  fails too, so a process that catches the exception may go on to that build() */
     void insert(Points points, std::int32_t part = this_part) {
-        require(mgdt_parts_insert_points(handle_.get(), part,
-                                         static_cast<std::int64_t>(points.count()), points.data(),
-                                         nullptr));
+        require(mgdt_parts_insert_points(get(), part, static_cast<std::int64_t>(points.count()),
+                                         points.data(), nullptr));
     }
     /** Inserts points that have ids, one for each. */
     void insert(Points points, Span<const std::int64_t> ids, std::int32_t part = this_part) {
@@ -125,14 +93,13 @@ class Parts {
             throw Error(MGDT_ERR_INVALID_ARGUMENT, "there are " + std::to_string(points.count()) +
                                                        " points and " + std::to_string(ids.size()) +
                                                        " ids");
-        require(mgdt_parts_insert_points(handle_.get(), part,
-                                         static_cast<std::int64_t>(points.count()), points.data(),
-                                         ids.data()));
+        require(mgdt_parts_insert_points(get(), part, static_cast<std::int64_t>(points.count()),
+                                         points.data(), ids.data()));
     }
 
     /** mgdt_parts_build(). Collective. @throw Cancelled, OutOfMemory, Error, and what the progress
      *  callback throws */
-    void build() { finish(mgdt_parts_build(handle_.get())); }
+    void build() { finish(mgdt_parts_build(get())); }
     /** mgdt_parts_build_each().
      *  @param look  called as look(const Parts&, std::int32_t part) for each part in ascending
      *  order. A result that is true cancels. If it throws, build_each() throws that exception
@@ -151,7 +118,7 @@ class Parts {
             return c.guarded.run(
                 1, [&] { return detail::asks_to_stop(c.look, c.parts, part) ? 1 : 0; });
         };
-        const mgdt_status status = mgdt_parts_build_each(handle_.get(), relay, &call);
+        const mgdt_status status = mgdt_parts_build_each(get(), relay, &call);
         call.guarded.rethrow();
         finish(status);
     }
@@ -159,7 +126,7 @@ class Parts {
     /** mgdt_parts_get_stat(). @throw Error */
     [[nodiscard]] std::int64_t number(PartsNumber key, std::int32_t part = this_part) const {
         std::int64_t value = 0;
-        require(mgdt_parts_get_stat(handle_.get(), part, static_cast<std::int32_t>(key), &value));
+        require(mgdt_parts_get_stat(get(), part, static_cast<std::int32_t>(key), &value));
         return value;
     }
     /** mgdt_parts_get_array(). @throw OutOfMemory, Error, std::bad_alloc (the vector's) */
@@ -185,8 +152,7 @@ class Parts {
      *  std::bad_alloc (the vector's) */
     [[nodiscard]] std::vector<Point> coordinates(std::int32_t part = this_part) const {
         std::vector<Point> xyz(static_cast<std::size_t>(number(PartsNumber::vertices, part)));
-        require(mgdt_parts_get_coordinates(handle_.get(), part,
-                                           static_cast<std::int64_t>(3 * xyz.size()),
+        require(mgdt_parts_get_coordinates(get(), part, static_cast<std::int64_t>(3 * xyz.size()),
                                            xyz.empty() ? nullptr : xyz[0].data()));
         return xyz;
     }
@@ -194,43 +160,20 @@ class Parts {
     /** Checks that the triangulation is valid; mgdt_parts_check(). Collective.
      *  @throw OutOfMemory, Error; the one for MGDT_ERR_CHECK_FAILED says what is wrong and where */
     void check(Check level = Check::canonical) {
-        require(mgdt_parts_check(handle_.get(), static_cast<std::int32_t>(level)));
+        require(mgdt_parts_check(get(), static_cast<std::int32_t>(level)));
     }
-    /** Message of the last call that failed on the handle; mgdt_parts_get_error().
-     *  @throw std::bad_alloc */
-    [[nodiscard]] std::string last_error() const { return message_of(handle_.get()); }
 
   private:
-    struct Destroy {
-        void operator()(mgdt_parts* p) const noexcept { mgdt_parts_destroy(p); }
-    };
-
-    static std::string message_of(const mgdt_parts* p) {
-        return detail::message_of(mgdt_parts_get_error, p);
-    }
-    static void require(mgdt_status status, const mgdt_parts* p) {
-        if (status != MGDT_OK) detail::throw_failure(status, p ? message_of(p) : std::string());
-    }
-    void require(mgdt_status status) const { require(status, handle_.get()); }
-    // Ends a call that may have called the progress callback: throws its exception, or that of the
-    // status.
-    void finish(mgdt_status status) {
-        if (progress_) progress_->rethrow();
-        require(status);
-    }
     std::size_t size(PartsArray key, std::int32_t part) const {
         std::int64_t size = 0;
-        require(mgdt_parts_get_size(handle_.get(), part, static_cast<std::int32_t>(key), &size));
+        require(mgdt_parts_get_size(get(), part, static_cast<std::int32_t>(key), &size));
         return static_cast<std::size_t>(size);
     }
     void write(PartsArray key, std::int32_t part, std::size_t capacity,
                std::int64_t* values) const {
-        require(mgdt_parts_get_array(handle_.get(), part, static_cast<std::int32_t>(key),
+        require(mgdt_parts_get_array(get(), part, static_cast<std::int32_t>(key),
                                      static_cast<std::int64_t>(capacity), values));
     }
-
-    std::unique_ptr<detail::Progress> progress_{};  // outlives the handle, which may call it
-    std::unique_ptr<mgdt_parts, Destroy> handle_{};
 };
 
 }  // namespace cxx1

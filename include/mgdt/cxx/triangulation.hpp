@@ -22,8 +22,20 @@
 namespace mgdt {
 inline namespace cxx1 {
 
+namespace detail {
+
+struct TriangulationCalls {
+    using Handle = mgdt_triangulation;
+    static constexpr auto destroy = mgdt_destroy;
+    static constexpr auto set_progress = mgdt_set_progress;
+    static constexpr auto cancel = mgdt_cancel;
+    static constexpr auto get_error = mgdt_get_error;
+};
+
+}  // namespace detail
+
 /** A Delaunay triangulation that grows as points are inserted. It can be moved, not copied. */
-class Triangulation {
+class Triangulation : public detail::Worker<detail::TriangulationCalls> {
   public:
     /** Makes an empty triangulation; mgdt_create(). @throw OutOfMemory */
     Triangulation() : Triangulation(nullptr, nullptr, nullptr) {}
@@ -31,9 +43,9 @@ class Triangulation {
     /** Makes an empty triangulation that takes all its memory from `alloc`;
      *  mgdt_create_with_allocator(). Neither function may throw. @throw OutOfMemory, Error */
     Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
-        mgdt_triangulation* made = nullptr;
-        require(mgdt_create_with_allocator(alloc, give_back, user, &made), nullptr);
-        handle_.reset(made);
+        make([&](mgdt_triangulation** out) {
+            return mgdt_create_with_allocator(alloc, give_back, user, out);
+        });
     }
 
     /** Makes an empty triangulation that takes all its memory from a std::pmr::memory_resource, or
@@ -48,71 +60,45 @@ class Triangulation {
                         std::addressof(resource)) {}
 
     /** Takes ownership of a handle of the C interface, with its settings and progress callback. */
-    explicit Triangulation(mgdt_triangulation* owned) noexcept : handle_(owned) {}
+    explicit Triangulation(mgdt_triangulation* owned) noexcept : Worker(owned) {}
 
-    Triangulation(Triangulation&&) noexcept = default;
-    Triangulation& operator=(Triangulation&&) noexcept = default;
-    Triangulation(const Triangulation&) = delete;
-    Triangulation& operator=(const Triangulation&) = delete;
-    ~Triangulation() = default;
-    friend void swap(Triangulation& a, Triangulation& b) noexcept {
-        a.progress_.swap(b.progress_);
-        a.handle_.swap(b.handle_);
-    }
-
-    /** Whether the object owns a handle: true until the handle is moved or released. */
-    [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
-    /** The handle, for calls of the C interface. The object still owns it. */
-    [[nodiscard]] mgdt_triangulation* handle() noexcept { return handle_.get(); }
-    [[nodiscard]] const mgdt_triangulation* handle() const noexcept { return handle_.get(); }
-    /** Releases ownership of the handle, which the caller frees by mgdt_destroy(). A callback of
-     *  set_progress() is removed. Returns NULL and releases nothing in a callback of the object. */
-    [[nodiscard]] mgdt_triangulation* release() noexcept {
-        if (progress_ && mgdt_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
-            return nullptr;
-        progress_.reset();
-        return handle_.release();
-    }
+    friend void swap(Triangulation& a, Triangulation& b) noexcept { a.swap_with(b); }
 
     /** mgdt_clear(). @throw Error */
-    void clear() { require(mgdt_clear(handle_.get())); }
+    void clear() { require(mgdt_clear(get())); }
     /** mgdt_reserve(). @throw OutOfMemory, Error */
-    void reserve(std::int64_t points) { require(mgdt_reserve(handle_.get(), points)); }
+    void reserve(std::int64_t points) { require(mgdt_reserve(get(), points)); }
     /** mgdt_shrink(). @throw Error @since 1.2 */
-    void shrink() { require(mgdt_shrink(handle_.get())); }
+    void shrink() { require(mgdt_shrink(get())); }
 
     /* Settings. @throw Error */
 
     /** mgdt_set_order_scheme(). */
     void set_order_scheme(Order scheme) {
-        require(mgdt_set_order_scheme(handle_.get(), static_cast<std::int32_t>(scheme)));
+        require(mgdt_set_order_scheme(get(), static_cast<std::int32_t>(scheme)));
     }
     /** mgdt_set_order_parameter(). */
     void set_order_parameter(Parameter key, double value) {
-        require(mgdt_set_order_parameter(handle_.get(), static_cast<std::int32_t>(key), value));
+        require(mgdt_set_order_parameter(get(), static_cast<std::int32_t>(key), value));
     }
     /** mgdt_set_order_parameter() for Parameter::separation. @since 1.2 */
     void set_order_parameter(Parameter key, Separation value) {
         set_order_parameter(key, static_cast<double>(value));
     }
     /** mgdt_set_seed(). */
-    void set_seed(std::uint64_t seed) { require(mgdt_set_seed(handle_.get(), seed)); }
+    void set_seed(std::uint64_t seed) { require(mgdt_set_seed(get(), seed)); }
     /** mgdt_set_threads(). */
-    void set_threads(std::int32_t n) { require(mgdt_set_threads(handle_.get(), n)); }
+    void set_threads(std::int32_t n) { require(mgdt_set_threads(get(), n)); }
     /** mgdt_set_index_base(). */
-    void set_index_base(std::int32_t base) { require(mgdt_set_index_base(handle_.get(), base)); }
+    void set_index_base(std::int32_t base) { require(mgdt_set_index_base(get(), base)); }
     /** mgdt_set_memory_limit(). */
-    void set_memory_limit(std::int64_t bytes) {
-        require(mgdt_set_memory_limit(handle_.get(), bytes));
-    }
+    void set_memory_limit(std::int64_t bytes) { require(mgdt_set_memory_limit(get(), bytes)); }
     /** mgdt_set_compact(). @throw OutOfMemory, Error */
-    void set_compact(bool on) { require(mgdt_set_compact(handle_.get(), on ? 1 : 0)); }
+    void set_compact(bool on) { require(mgdt_set_compact(get(), on ? 1 : 0)); }
     /** mgdt_set_canonical_output(). */
-    void set_canonical_output(bool on) {
-        require(mgdt_set_canonical_output(handle_.get(), on ? 1 : 0));
-    }
+    void set_canonical_output(bool on) { require(mgdt_set_canonical_output(get(), on ? 1 : 0)); }
     /** mgdt_set_isa(). */
-    void set_isa(const char* name) { require(mgdt_set_isa(handle_.get(), name)); }
+    void set_isa(const char* name) { require(mgdt_set_isa(get(), name)); }
 
     /* The settings: mgdt_get_order_scheme() and the functions beside it. @throw Error @since 1.2 */
 
@@ -121,7 +107,7 @@ class Triangulation {
     }
     [[nodiscard]] double order_parameter(Parameter key) const {
         double value = 0;
-        require(mgdt_get_order_parameter(handle_.get(), static_cast<std::int32_t>(key), &value));
+        require(mgdt_get_order_parameter(get(), static_cast<std::int32_t>(key), &value));
         return value;
     }
     [[nodiscard]] std::uint64_t seed() const { return setting(mgdt_get_seed); }
@@ -131,33 +117,11 @@ class Triangulation {
     [[nodiscard]] bool compact() const { return setting(mgdt_get_compact) != 0; }
     [[nodiscard]] bool canonical_output() const { return setting(mgdt_get_canonical_output) != 0; }
 
-    /** Sets the progress callback; mgdt_set_progress().
-     *  @param call  a callable that takes a double, the fraction from 0 to 1. The object keeps it.
-     *  A result that is true cancels. If it throws, the running call is cancelled and throws that
-     *  exception instead of Cancelled.
-     *  @throw Error, std::bad_alloc */
-    template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
-    void set_progress(F&& call) {
-        auto next = detail::Progress::make(std::forward<F>(call));
-        require(mgdt_set_progress(handle_.get(), &detail::Progress::hear, next.get()));
-        progress_ = std::move(next);
-    }
-    /** Removes the progress callback. */
-    void clear_progress() {
-        require(mgdt_set_progress(handle_.get(), nullptr, nullptr));
-        progress_.reset();
-    }
-    /** mgdt_cancel(); from any thread and from signal handlers. */
-    void cancel() noexcept {
-        if (handle_) mgdt_cancel(handle_.get());
-    }
-
     /* Points. @throw Cancelled, OutOfMemory, Error, and what the progress callback throws */
 
     /** mgdt_insert_points(). */
     void insert(Points points) {
-        finish(mgdt_insert_points(handle_.get(), static_cast<std::int64_t>(points.count()),
-                                  points.data()));
+        finish(mgdt_insert_points(get(), static_cast<std::int64_t>(points.count()), points.data()));
     }
     /** Inserts the points of a list: `t.insert({{0, 0, 0}, {1, 0, 0}})`. */
     void insert(std::initializer_list<Point> points) { insert(Points(points)); }
@@ -174,8 +138,7 @@ class Triangulation {
      *  mgdt_insert_points_strided(). */
     void insert_strided(std::size_t n, const double* x, const double* y, const double* z,
                         std::int64_t stride) {
-        finish(mgdt_insert_points_strided(handle_.get(), static_cast<std::int64_t>(n), x, y, z,
-                                          stride));
+        finish(mgdt_insert_points_strided(get(), static_cast<std::int64_t>(n), x, y, z, stride));
     }
 
     /* Removal and motion of points, which are given by their indices in any contiguous container of
@@ -188,9 +151,9 @@ class Triangulation {
         const auto list = detail::row_of(points);
         const auto n = static_cast<std::int64_t>(list.size());
         if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
-            finish(mgdt_remove_points(handle_.get(), n, list.data()));
+            finish(mgdt_remove_points(get(), n, list.data()));
         else
-            finish(mgdt_remove_points_i32(handle_.get(), n, list.data()));
+            finish(mgdt_remove_points_i32(get(), n, list.data()));
     }
     void remove(std::initializer_list<std::int64_t> points) {
         remove(Span<const std::int64_t>(points.begin(), points.size()));
@@ -207,9 +170,9 @@ class Triangulation {
         if (list.empty()) return;
         const auto n = static_cast<std::int64_t>(list.size());
         if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
-            finish(mgdt_move_points(handle_.get(), n, list.data(), places.data()));
+            finish(mgdt_move_points(get(), n, list.data(), places.data()));
         else
-            finish(mgdt_move_points_i32(handle_.get(), n, list.data(), places.data()));
+            finish(mgdt_move_points_i32(get(), n, list.data(), places.data()));
     }
     void move(std::initializer_list<std::int64_t> points, Points places) {
         move(Span<const std::int64_t>(points.begin(), points.size()), places);
@@ -217,7 +180,7 @@ class Triangulation {
     /** Moves all points, in the order of their indices; coordinates of removed points are
      *  ignored. */
     void move(Points places) {
-        finish(mgdt_move_points(handle_.get(), static_cast<std::int64_t>(places.count()), nullptr,
+        finish(mgdt_move_points(get(), static_cast<std::int64_t>(places.count()), nullptr,
                                 places.data()));
     }
     /** The new index of each point, or none; mgdt_renumber_points(). @throw Error,
@@ -228,44 +191,38 @@ class Triangulation {
         std::vector<Int> index(static_cast<std::size_t>(point_count()));
         const std::int64_t n = point_count();
         if constexpr (std::is_same_v<Int, std::int64_t>)
-            require(mgdt_renumber_points(handle_.get(), n, index.data()));
+            require(mgdt_renumber_points(get(), n, index.data()));
         else
-            require(mgdt_renumber_points_i32(handle_.get(), n, index.data()));
+            require(mgdt_renumber_points_i32(get(), n, index.data()));
         return index;
     }
 
     /* Counts. */
 
     /** mgdt_point_count(). */
-    [[nodiscard]] std::int64_t point_count() const noexcept {
-        return mgdt_point_count(handle_.get());
-    }
+    [[nodiscard]] std::int64_t point_count() const noexcept { return mgdt_point_count(get()); }
     /** mgdt_vertex_count(). */
-    [[nodiscard]] std::int64_t vertex_count() const noexcept {
-        return mgdt_vertex_count(handle_.get());
-    }
+    [[nodiscard]] std::int64_t vertex_count() const noexcept { return mgdt_vertex_count(get()); }
     /** mgdt_dimension(). */
-    [[nodiscard]] std::int32_t dimension() const noexcept { return mgdt_dimension(handle_.get()); }
+    [[nodiscard]] std::int32_t dimension() const noexcept { return mgdt_dimension(get()); }
     /** mgdt_tetrahedron_count(). */
     [[nodiscard]] std::int64_t tetrahedron_count() const noexcept {
-        return mgdt_tetrahedron_count(handle_.get());
+        return mgdt_tetrahedron_count(get());
     }
     /** mgdt_hull_facet_count(). */
     [[nodiscard]] std::int64_t hull_facet_count() const noexcept {
-        return mgdt_hull_facet_count(handle_.get());
+        return mgdt_hull_facet_count(get());
     }
     /** mgdt_edge_count(). */
-    [[nodiscard]] std::int64_t edge_count() const noexcept {
-        return mgdt_edge_count(handle_.get());
-    }
+    [[nodiscard]] std::int64_t edge_count() const noexcept { return mgdt_edge_count(get()); }
     /** mgdt_vertex_tetrahedra_count(). */
     [[nodiscard]] std::int64_t vertex_tetrahedra_count() const noexcept {
-        return mgdt_vertex_tetrahedra_count(handle_.get());
+        return mgdt_vertex_tetrahedra_count(get());
     }
 
     /** mgdt_vertex_neighbors_count(). @since 1.2 */
     [[nodiscard]] std::int64_t vertex_neighbors_count() const noexcept {
-        return mgdt_vertex_neighbors_count(handle_.get());
+        return mgdt_vertex_neighbors_count(get());
     }
 
     /* Export. A function without arguments returns a vector of 64-bit integers, or of 32-bit
@@ -357,7 +314,7 @@ class Triangulation {
         const auto n = static_cast<std::size_t>(tetrahedron_count());
         result.centers.resize(n);
         result.squared_radii.resize(n);
-        require(mgdt_get_circumcenters(handle_.get(), static_cast<std::int64_t>(n),
+        require(mgdt_get_circumcenters(get(), static_cast<std::int64_t>(n),
                                        n == 0 ? nullptr : result.centers[0].data(),
                                        result.squared_radii.data()));
         return result;
@@ -365,7 +322,7 @@ class Triangulation {
     /** Measures each tetrahedron; mgdt_get_tetrahedron_measures(). @since 1.3 */
     [[nodiscard]] std::vector<double> tetrahedron_measures(TetrahedronMeasure measure) const {
         std::vector<double> x(static_cast<std::size_t>(tetrahedron_count()));
-        require(mgdt_get_tetrahedron_measures(handle_.get(), static_cast<std::int32_t>(measure),
+        require(mgdt_get_tetrahedron_measures(get(), static_cast<std::int32_t>(measure),
                                               static_cast<std::int64_t>(x.size()), x.data()));
         return x;
     }
@@ -375,7 +332,7 @@ class Triangulation {
         Measure measure, const std::vector<std::array<double, 4>>& planes = {}) const {
         const std::size_t width = measure == Measure::centroid ? 3 : 1;
         std::vector<double> x(width * static_cast<std::size_t>(point_count()));
-        require(mgdt_get_cell_measures(handle_.get(), static_cast<std::int32_t>(measure),
+        require(mgdt_get_cell_measures(get(), static_cast<std::int32_t>(measure),
                                        static_cast<std::int64_t>(planes.size()),
                                        planes.empty() ? nullptr : planes[0].data(),
                                        static_cast<std::int64_t>(x.size()), x.data()));
@@ -389,8 +346,7 @@ class Triangulation {
                                        tetrahedron_count()};
         const bool is_known = dimension >= 0 && dimension <= 3;
         std::vector<double> x(is_known ? static_cast<std::size_t>(counts[dimension]) : 0);
-        require(mgdt_get_alphas(handle_.get(), dimension, static_cast<std::int64_t>(x.size()),
-                                x.data()));
+        require(mgdt_get_alphas(get(), dimension, static_cast<std::int64_t>(x.size()), x.data()));
         return x;
     }
     /** The surface of an alpha shape; mgdt_get_alpha_surface(). @since 1.2 */
@@ -404,10 +360,9 @@ class Triangulation {
             mgdt_status status;
             const auto room = static_cast<std::int64_t>(3 * v.size());
             if constexpr (std::is_same_v<Int, std::int64_t>)
-                status = mgdt_get_alpha_surface(handle_.get(), alpha2, room, v[0].data(), &count);
+                status = mgdt_get_alpha_surface(get(), alpha2, room, v[0].data(), &count);
             else
-                status =
-                    mgdt_get_alpha_surface_i32(handle_.get(), alpha2, room, v[0].data(), &count);
+                status = mgdt_get_alpha_surface_i32(get(), alpha2, room, v[0].data(), &count);
             const bool is_short = status == MGDT_ERR_BUFFER_TOO_SMALL;
             if (!is_short) require(status);
             v.resize(static_cast<std::size_t>(count));
@@ -418,7 +373,7 @@ class Triangulation {
      *  @since 1.2 */
     [[nodiscard]] double solid_alpha() const {
         double alpha2 = 0;
-        require(mgdt_get_solid_alpha(handle_.get(), &alpha2));
+        require(mgdt_get_solid_alpha(get(), &alpha2));
         return alpha2;
     }
 
@@ -427,7 +382,7 @@ class Triangulation {
     /** The tetrahedron that contains a point, or none; mgdt_locate(). */
     [[nodiscard]] std::int64_t locate(const Point& xyz) const {
         std::int64_t found = 0;
-        require(mgdt_locate(handle_.get(), xyz.data(), &found));
+        require(mgdt_locate(get(), xyz.data(), &found));
         return found;
     }
     /** The tetrahedra that contain many points; mgdt_locate_points(). */
@@ -474,15 +429,15 @@ class Triangulation {
             const Int room = count;
             way.tetrahedra.resize(static_cast<std::size_t>(room));
             way.parameters.resize(static_cast<std::size_t>(room) + 1);
-            const auto get = [&](auto function) {
-                return function(handle_.get(), a.data(), b.data(), room, way.tetrahedra.data(),
+            const auto read = [&](auto function) {
+                return function(get(), a.data(), b.data(), room, way.tetrahedra.data(),
                                 way.parameters.data(), &count);
             };
             mgdt_status status;
             if constexpr (std::is_same_v<Int, std::int64_t>)
-                status = get(mgdt_traverse_segment);
+                status = read(mgdt_traverse_segment);
             else
-                status = get(mgdt_traverse_segment_i32);
+                status = read(mgdt_traverse_segment_i32);
             if (status == MGDT_ERR_BUFFER_TOO_SMALL) continue;
             require(status);
             way.tetrahedra.resize(static_cast<std::size_t>(count));
@@ -493,7 +448,7 @@ class Triangulation {
     /** The vertex nearest to a point, or none; mgdt_nearest_vertex(). */
     [[nodiscard]] std::int64_t nearest_vertex(const Point& xyz) const {
         std::int64_t found = 0;
-        require(mgdt_nearest_vertex(handle_.get(), xyz.data(), &found));
+        require(mgdt_nearest_vertex(get(), xyz.data(), &found));
         return found;
     }
     /** The vertices nearest to many points; mgdt_nearest_vertices(). @since 1.2 */
@@ -511,9 +466,9 @@ class Triangulation {
         if (buffer.size() < points.count()) too_small("vertices", points.count());
         const auto n = static_cast<std::int64_t>(points.count());
         if constexpr (std::is_same_v<decltype(buffer), const Span<std::int64_t>>)
-            require(mgdt_nearest_vertices(handle_.get(), n, points.data(), buffer.data()));
+            require(mgdt_nearest_vertices(get(), n, points.data(), buffer.data()));
         else
-            require(mgdt_nearest_vertices_i32(handle_.get(), n, points.data(), buffer.data()));
+            require(mgdt_nearest_vertices_i32(get(), n, points.data(), buffer.data()));
     }
 
     /* Values between points. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
@@ -526,7 +481,7 @@ class Triangulation {
         require_values(values, fields);
         std::vector<double> out(fields * places.count());
         require(mgdt_interpolate(
-            handle_.get(), static_cast<std::int32_t>(method), static_cast<std::int32_t>(outside),
+            get(), static_cast<std::int32_t>(method), static_cast<std::int32_t>(outside),
             static_cast<std::int64_t>(fields), values.data(),
             static_cast<std::int64_t>(places.count()), places.data(), out.data()));
         return out;
@@ -544,19 +499,18 @@ class Triangulation {
         for (;;) {
             rows.points.resize(room);
             rows.weights.resize(room);
-            const auto get = [&](auto function) {
-                return function(handle_.get(), static_cast<std::int32_t>(method),
-                                static_cast<std::int32_t>(outside),
-                                static_cast<std::int64_t>(places.count()), places.data(),
-                                static_cast<std::int64_t>(rows.offsets.size()), rows.offsets.data(),
-                                static_cast<std::int64_t>(room), rows.points.data(),
-                                rows.weights.data());
+            const auto read = [&](auto function) {
+                return function(
+                    get(), static_cast<std::int32_t>(method), static_cast<std::int32_t>(outside),
+                    static_cast<std::int64_t>(places.count()), places.data(),
+                    static_cast<std::int64_t>(rows.offsets.size()), rows.offsets.data(),
+                    static_cast<std::int64_t>(room), rows.points.data(), rows.weights.data());
             };
             mgdt_status status;
             if constexpr (std::is_same_v<Int, std::int64_t>)
-                status = get(mgdt_get_interpolation_weights);
+                status = read(mgdt_get_interpolation_weights);
             else
-                status = get(mgdt_get_interpolation_weights_i32);
+                status = read(mgdt_get_interpolation_weights_i32);
             const bool is_short = status == MGDT_ERR_BUFFER_TOO_SMALL;
             if (!is_short) require(status);
             room = static_cast<std::size_t>(rows.offsets.back() - rows.offsets.front());
@@ -572,7 +526,7 @@ class Triangulation {
                                                 std::size_t fields = 1) const {
         require_values(values, fields);
         std::vector<double> out(3 * fields * static_cast<std::size_t>(point_count()));
-        require(mgdt_get_gradients(handle_.get(), static_cast<std::int64_t>(fields), values.data(),
+        require(mgdt_get_gradients(get(), static_cast<std::int64_t>(fields), values.data(),
                                    out.data()));
         return out;
     }
@@ -582,43 +536,24 @@ class Triangulation {
     /** Checks that the triangulation is valid; mgdt_check().
      *  @throw OutOfMemory, Error; the one for MGDT_ERR_CHECK_FAILED says what is wrong and where */
     void check(Check level = Check::canonical) const {
-        require(mgdt_check(handle_.get(), static_cast<std::int32_t>(level)));
+        require(mgdt_check(get(), static_cast<std::int32_t>(level)));
     }
     /** mgdt_get_stat(). @throw Error */
     [[nodiscard]] double statistic(Statistic key) const {
         double value = 0;
-        require(mgdt_get_stat(handle_.get(), static_cast<std::int32_t>(key), &value));
+        require(mgdt_get_stat(get(), static_cast<std::int32_t>(key), &value));
         return value;
     }
-    /** Message of the last call that failed on the handle; mgdt_get_error(). @throw std::bad_alloc
-     */
-    [[nodiscard]] std::string last_error() const { return message_of(handle_.get()); }
+
     /** mgdt_isa_name(). */
-    [[nodiscard]] const char* isa() const noexcept { return mgdt_isa_name(handle_.get()); }
+    [[nodiscard]] const char* isa() const noexcept { return mgdt_isa_name(get()); }
 
   private:
-    struct Destroy {
-        void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }
-    };
-
-    static std::string message_of(const mgdt_triangulation* t) {
-        return detail::message_of(mgdt_get_error, t);
-    }
-    static void require(mgdt_status status, const mgdt_triangulation* t) {
-        if (status != MGDT_OK) detail::throw_failure(status, t ? message_of(t) : std::string());
-    }
-    void require(mgdt_status status) const { require(status, handle_.get()); }
     template <class T>
-    T setting(mgdt_status (*get)(const mgdt_triangulation*, T*)) const {
+    T setting(mgdt_status (*read)(const mgdt_triangulation*, T*)) const {
         T value{};
-        require(get(handle_.get(), &value));
+        require(read(get(), &value));
         return value;
-    }
-    // Ends a call that may have called the progress callback: throws its exception, or that of the
-    // status.
-    void finish(mgdt_status status) {
-        if (progress_) progress_->rethrow();
-        require(status);
     }
     void require_values(Span<const double> values, std::size_t fields) const {
         const auto points = static_cast<std::size_t>(point_count());
@@ -637,9 +572,9 @@ class Triangulation {
         const auto buffer = detail::flat<K>(out);
         const auto capacity = static_cast<std::int64_t>(buffer.size());
         if constexpr (std::is_same_v<decltype(buffer), const Span<std::int64_t>>)
-            require(wide(handle_.get(), capacity, buffer.data()));
+            require(wide(get(), capacity, buffer.data()));
         else
-            require(narrow(handle_.get(), capacity, buffer.data()));
+            require(narrow(get(), capacity, buffer.data()));
     }
     template <class Int, std::size_t K>
     std::vector<std::array<Int, K>> result(std::int64_t count, Export<std::int64_t> wide,
@@ -663,9 +598,9 @@ class Triangulation {
         const auto n = static_cast<std::int64_t>(first.size());
         const auto m = static_cast<std::int64_t>(second.size());
         if constexpr (std::is_same_v<Int, std::int64_t>)
-            require(wide(handle_.get(), n, first.data(), m, second.data()));
+            require(wide(get(), n, first.data(), m, second.data()));
         else
-            require(narrow(handle_.get(), n, first.data(), m, second.data()));
+            require(narrow(get(), n, first.data(), m, second.data()));
     }
     template <class Int>
     PointLists<Int> lists(std::int64_t length, ListExport<std::int64_t> wide,
@@ -687,9 +622,9 @@ class Triangulation {
         Int count = 0;
         Int* const out = v.empty() ? nullptr : v[0].data();
         if constexpr (std::is_same_v<Int, std::int64_t>)
-            require(wide(handle_.get(), 2 * most, out, &count));
+            require(wide(get(), 2 * most, out, &count));
         else
-            require(narrow(handle_.get(), 2 * most, out, &count));
+            require(narrow(get(), 2 * most, out, &count));
         v.resize(static_cast<std::size_t>(count));
         return v;
     }
@@ -698,13 +633,10 @@ class Triangulation {
         if (out.size() < points.count()) too_small("tetrahedra", points.count());
         const auto n = static_cast<std::int64_t>(points.count());
         if constexpr (std::is_same_v<Int, std::int64_t>)
-            require(mgdt_locate_points(handle_.get(), n, points.data(), out.data(), weights));
+            require(mgdt_locate_points(get(), n, points.data(), out.data(), weights));
         else
-            require(mgdt_locate_points_i32(handle_.get(), n, points.data(), out.data(), weights));
+            require(mgdt_locate_points_i32(get(), n, points.data(), out.data(), weights));
     }
-
-    std::unique_ptr<detail::Progress> progress_{};  // outlives the handle, which may call it
-    std::unique_ptr<mgdt_triangulation, Destroy> handle_{};
 };
 
 }  // namespace cxx1

@@ -2,13 +2,27 @@
 # frozen_string_literal: true
 
 module Mgdt
-  # Reads the arrays of a handle whose functions are mgdt_KIND_get_size, _get_array, _get_doubles and
-  # _get_error, as those of diagrams and domains are.
+  # Reads the arrays and numbers of a handle whose functions are mgdt_KIND_get_size and so on.
   class ArrayReader
     def initialize(kind, handle, keys)
       @kind = kind
       @handle = handle
       @keys = keys
+    end
+
+    # An array of integers or of doubles; Arrays of as many as belong together.
+    def array(name)
+      columns = FFI::MemoryPointer.new(:int32)
+      is_double = FFI::MemoryPointer.new(:int32)
+      Library.public_send(:"mgdt_#{@kind}_array_info", @keys.fetch(name), columns, is_double)
+      values = is_double.read_int32 == 1 ? doubles(name) : integers(name)
+      columns.read_int32 > 1 ? values.each_slice(columns.read_int32).to_a : values
+    end
+
+    def statistic(name)
+      value = FFI::MemoryPointer.new(:int64)
+      call(:get_stat, CONSTANTS[:"#{@kind}_stat"].fetch(name), value)
+      value.read_int64
     end
 
     def integers(name)

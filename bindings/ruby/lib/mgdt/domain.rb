@@ -9,18 +9,20 @@ module Mgdt
   #                               [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
   #   mesh.tetrahedra   # => [[0, 1, 2, 3]]
   #
-  # mgdt/mgdt_domain.h says what goes in and comes out.
+  # mgdt/mgdt_domain.h says what goes in, and mgdt/mgdt_mesh.h what comes out.
   class DomainMesh
     # Arrays of rows: corners, ends, coordinates.
-    attr_reader :points, :tetrahedra, :faces, :segments, :steiner_edges
+    attr_reader :points, :tetrahedra, :faces, :edges, :steiner_edges
     # The tetrahedra next to each tetrahedron, and to each face; nil where the domain ends.
     attr_reader :neighbors, :face_tetrahedra
+    # The point that was given that each point is, of equal ones the first; nil for Steiner points.
+    attr_reader :point_origins
     # The region of each tetrahedron, and the marker of each region.
-    attr_reader :regions, :region_markers
+    attr_reader :tetrahedron_regions, :region_markers
     # The facet of each face, and its marker.
     attr_reader :face_facets, :face_markers
-    # The segment that was given, or nil, of each segment of the mesh, and its marker, or 0.
-    attr_reader :segment_sources, :segment_markers
+    # The segment that was given, or nil, of each of the edges, and its marker, or 0.
+    attr_reader :edge_segments, :edge_markers
     # The ends of each edge that one facet alone has, and this facet.
     attr_reader :open_edges
     # The t for which a Steiner point is a + t (b - a).
@@ -36,17 +38,38 @@ module Mgdt
     # If the facets enclose nothing, the error is OpenBoundary.
     def initialize(points, facets, rounded: false, **given, &progress)
       @domain = GivenDomain.new(points, facets, rounded: rounded, **given)
-      @domain.build(progress)
-      read(@domain.reader)
+      @handle = @domain.build(progress)
+      @mesh = ArrayReader.new(:mesh, @handle, CONSTANTS[:mesh_array])
+      read
     end
 
-    # Whether points are rounded.
-    def rounded? = @domain.number(:is_rounded) == 1
+    # A mesh of the library, which is destroyed when it is collected.
+    class Handle < FFI::AutoPointer
+      def self.release(pointer)
+        Library.mgdt_mesh_destroy(pointer)
+      end
+    end
+    private_constant :Handle
 
-    # Proves the mesh against the facets and segments, exactly. CheckFailed says what is wrong.
+    # Whether points are rounded.
+    def rounded? = @mesh.statistic(:is_rounded) == 1
+
+    # Proves the mesh, and compares it with the facets and segments, exactly. CheckFailed says what is
+    # wrong.
     def check
-      @domain.reader.call(:check)
+      @mesh.call(:check)
+      @domain.reader.call(:check, @handle)
       self
+    end
+
+    # A measure of each tetrahedron: :volume, :radius_ratio, :least_angle, :largest_angle or :longest_edge.
+    def tetrahedron_measures(measure)
+      key = CONSTANTS[:tetrahedron].fetch(measure.to_sym) do
+        raise InvalidArgument.new("there is no measure #{measure.inspect} of tetrahedra", 11)
+      end
+      values = FFI::MemoryPointer.new(:double, [@tetrahedra.size, 1].max)
+      @mesh.call(:get_tetrahedron_measures, key, @tetrahedra.size, values)
+      values.read_array_of_double(@tetrahedra.size)
     end
 
     def inspect
@@ -56,22 +79,19 @@ module Mgdt
 
     private
 
-    def read(reader)
-      rows = ->(name, width) { reader.integers(name).each_slice(width).to_a }
-      numbers = ->(list) { list.map { |k| k == @domain.index_base - 1 ? nil : k } }
-      @points = reader.doubles(:points).each_slice(3).to_a
-      @tetrahedra = rows.call(:tetrahedra, 4)
-      @neighbors = rows.call(:neighbors, 4).map(&numbers)
-      @faces = rows.call(:faces, 3)
-      @face_tetrahedra = rows.call(:face_tetrahedra, 2).map(&numbers)
-      @segments = rows.call(:segments, 2)
-      @open_edges = rows.call(:open_edges, 3)
-      @steiner_edges = rows.call(:steiner_edges, 2)
-      %i[regions region_markers face_facets face_markers segment_markers].each do |name|
-        instance_variable_set(:"@#{name}", reader.integers(name))
+    # Arrays in which the index base - 1 means none.
+    WITH_NONE = %i[point_origins neighbors face_tetrahedra edge_segments steiner_edges].freeze
+    private_constant :WITH_NONE
+
+    def read
+      none = @domain.index_base - 1
+      CONSTANTS[:mesh_array].each_key do |name|
+        values = @mesh.array(name)
+        values = values.map { |v| v.is_a?(Array) ? v.map { |k| k unless k == none } : (v unless v == none) } if
+          WITH_NONE.include?(name)
+        instance_variable_set(:"@#{name}", values)
       end
-      @segment_sources = numbers.call(reader.integers(:segment_sources))
-      @steiner_parameters = reader.doubles(:steiner_parameters)
+      @open_edges = @domain.reader.array(:open_edges)
     end
   end
 
@@ -109,19 +129,20 @@ module Mgdt
       @reader.call(:set_points, given.count, given.data)
       facets(facets, markers)
       segments(segments, segment_markers)
-      holes.each { |place| @reader.call(:add_hole, one_place(place, "a hole")) }
-      regions.each do |place, marker|
-        @reader.call(:add_region, one_place(place, "a region"), whole(marker, "the marker of a region", 31))
-      end
+      places(:set_holes, holes, "a hole")
+      places(:set_regions, regions.map(&:first), "a region",
+             markers(regions.map { |_, marker| marker }, regions.size, "the marker of a region"))
     end
 
+    # The mesh, a handle.
     def build(progress)
+      out = FFI::MemoryPointer.new(:pointer)
       status = if progress
-                 Progress.watch(progress, ->(fn) { @reader.ask(:set_progress, fn, nil) }) { @reader.ask(:build) }
+                 Progress.watch(progress, ->(fn) { @reader.ask(:set_progress, fn, nil) }) { @reader.ask(:build, out) }
                else
-                 @reader.ask(:build)
+                 @reader.ask(:build, out)
                end
-      return if status.zero?
+      return DomainMesh.const_get(:Handle).new(out.read_pointer) if status.zero?
 
       error = @reader.error_of(status)
       error.pairs = pairs if error.is_a?(InvalidBoundary)
@@ -132,12 +153,6 @@ module Mgdt
       status = @reader.ask(:validate)
       @reader.ensure_good(status) unless status == CONSTANTS[:status][:invalid_boundary]
       pairs
-    end
-
-    def number(name)
-      value = FFI::MemoryPointer.new(:int64)
-      @reader.call(:get_stat, CONSTANTS[:domain_number].fetch(name), value)
-      value.read_int64
     end
 
     private
@@ -181,11 +196,14 @@ module Mgdt
                    markers(of_segments, pairs.size, "segment_markers"))
     end
 
-    def one_place(place, name)
-      given = Points.new(place, name: name)
-      raise argument("#{name} is #{given.count} places; it must be one") unless given.count == 1
+    def places(function, list, name, *arguments)
+      packed = list.map do |place|
+        given = Points.new(place, name: name)
+        raise argument("#{name} is #{given.count} places; it must be one") unless given.count == 1
 
-      given.data
+        given.data.is_a?(FFI::Pointer) ? given.data.read_bytes(24) : given.data
+      end
+      @reader.call(function, list.size, packed.join, *arguments)
     end
 
     def pairs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated from the headers of mgdt by bindings/interface/generate.py.
 //! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h`,
-//! `mgdt/mgdt_voronoi.h`, `mgdt/mgdt_domain.h` and `mgdt/mgdt_periodic.h`; the crate `mgdt` is the safe interface.
+//! `mgdt/mgdt_voronoi.h`, `mgdt/mgdt_domain.h`, `mgdt/mgdt_mesh.h` and `mgdt/mgdt_periodic.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
@@ -23,7 +23,14 @@ pub struct mgdt_voronoi {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// A domain and its mesh; only ever behind a pointer.
+/// A mesh of tetrahedra; only ever behind a pointer.
+#[repr(C)]
+pub struct mgdt_mesh {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A domain; only ever behind a pointer.
 #[repr(C)]
 pub struct mgdt_domain {
     _data: [u8; 0],
@@ -148,52 +155,65 @@ pub const MGDT_VORONOI_CELL_CENTROIDS: i32 = 71;
 pub const MGDT_VORONOI_CELL_FACE_AREAS: i32 = 72;
 pub const MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES: i32 = 73;
 
+pub const MGDT_MESH_OPTION_INDEX_BASE: i32 = 10;
+pub const MGDT_MESH_OPTION_THREADS: i32 = 20;
+pub const MGDT_MESH_OPTION_MEMORY_LIMIT: i32 = 30;
+
+pub const MGDT_MESH_STAT_POINTS: i32 = 100;
+pub const MGDT_MESH_STAT_STEINER_POINTS: i32 = 101;
+pub const MGDT_MESH_STAT_TETRAHEDRA: i32 = 102;
+pub const MGDT_MESH_STAT_REGIONS: i32 = 103;
+pub const MGDT_MESH_STAT_FACES: i32 = 104;
+pub const MGDT_MESH_STAT_EDGES: i32 = 105;
+pub const MGDT_MESH_STAT_MEMORY_BYTES: i32 = 110;
+pub const MGDT_MESH_STAT_IS_ROUNDED: i32 = 120;
+pub const MGDT_MESH_STAT_GRID_BITS: i32 = 121;
+pub const MGDT_MESH_STAT_UNUSED_POINTS: i32 = 130;
+pub const MGDT_MESH_STAT_UNUSED_FACES: i32 = 131;
+pub const MGDT_MESH_STAT_UNUSED_REGIONS: i32 = 132;
+pub const MGDT_MESH_STAT_UNUSED_HOLES: i32 = 133;
+pub const MGDT_MESH_STAT_PLANAR_FACETS: i32 = 140;
+pub const MGDT_MESH_STAT_MISSING_FACETS: i32 = 141;
+pub const MGDT_MESH_STAT_CAVITIES: i32 = 142;
+pub const MGDT_MESH_STAT_LARGEST_CAVITY: i32 = 143;
+
+pub const MGDT_MESH_ARRAY_POINT_ORIGINS: i32 = 200;
+pub const MGDT_MESH_ARRAY_TETRAHEDRA: i32 = 210;
+pub const MGDT_MESH_ARRAY_NEIGHBORS: i32 = 211;
+pub const MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS: i32 = 212;
+pub const MGDT_MESH_ARRAY_REGION_MARKERS: i32 = 220;
+pub const MGDT_MESH_ARRAY_FACES: i32 = 230;
+pub const MGDT_MESH_ARRAY_FACE_TETRAHEDRA: i32 = 231;
+pub const MGDT_MESH_ARRAY_FACE_FACETS: i32 = 232;
+pub const MGDT_MESH_ARRAY_FACE_MARKERS: i32 = 233;
+pub const MGDT_MESH_ARRAY_EDGES: i32 = 240;
+pub const MGDT_MESH_ARRAY_EDGE_SEGMENTS: i32 = 241;
+pub const MGDT_MESH_ARRAY_EDGE_MARKERS: i32 = 242;
+pub const MGDT_MESH_ARRAY_STEINER_EDGES: i32 = 250;
+pub const MGDT_MESH_ARRAY_POINTS: i32 = 300;
+pub const MGDT_MESH_ARRAY_STEINER_PARAMETERS: i32 = 310;
+
 pub const MGDT_DOMAIN_KIND_FACET: i32 = 0;
 pub const MGDT_DOMAIN_KIND_SEGMENT: i32 = 1;
 pub const MGDT_DOMAIN_KIND_POINT: i32 = 2;
 
-pub const MGDT_DOMAIN_INDEX_BASE: i32 = 10;
-pub const MGDT_DOMAIN_THREADS: i32 = 20;
-pub const MGDT_DOMAIN_MEMORY_LIMIT: i32 = 30;
-pub const MGDT_DOMAIN_ROUND_POINTS: i32 = 40;
-pub const MGDT_DOMAIN_STRICT: i32 = 50;
+pub const MGDT_DOMAIN_OPTION_INDEX_BASE: i32 = 10;
+pub const MGDT_DOMAIN_OPTION_THREADS: i32 = 20;
+pub const MGDT_DOMAIN_OPTION_MEMORY_LIMIT: i32 = 30;
+pub const MGDT_DOMAIN_OPTION_ROUND_POINTS: i32 = 40;
+pub const MGDT_DOMAIN_OPTION_STRICT: i32 = 50;
 
-pub const MGDT_DOMAIN_GIVEN_POINTS: i32 = 10;
-pub const MGDT_DOMAIN_GIVEN_FACETS: i32 = 11;
-pub const MGDT_DOMAIN_GIVEN_SEGMENTS: i32 = 12;
-pub const MGDT_DOMAIN_MEMORY_BYTES: i32 = 15;
-pub const MGDT_DOMAIN_OPEN_EDGES: i32 = 16;
-pub const MGDT_DOMAIN_STEINER_POINTS: i32 = 20;
-pub const MGDT_DOMAIN_TETRAHEDRA: i32 = 21;
-pub const MGDT_DOMAIN_REGIONS: i32 = 22;
-pub const MGDT_DOMAIN_FACES: i32 = 23;
-pub const MGDT_DOMAIN_IS_ROUNDED: i32 = 24;
-pub const MGDT_DOMAIN_GRID_BITS: i32 = 25;
-pub const MGDT_DOMAIN_UNUSED_POINTS: i32 = 26;
-pub const MGDT_DOMAIN_UNUSED_FACES: i32 = 27;
-pub const MGDT_DOMAIN_UNUSED_REGIONS: i32 = 28;
-pub const MGDT_DOMAIN_UNUSED_HOLES: i32 = 29;
-pub const MGDT_DOMAIN_PLANAR_FACETS: i32 = 30;
-pub const MGDT_DOMAIN_MISSING_FACETS: i32 = 31;
-pub const MGDT_DOMAIN_CAVITIES: i32 = 32;
-pub const MGDT_DOMAIN_LARGEST_CAVITY: i32 = 33;
+pub const MGDT_DOMAIN_STAT_POINTS: i32 = 100;
+pub const MGDT_DOMAIN_STAT_FACETS: i32 = 101;
+pub const MGDT_DOMAIN_STAT_SEGMENTS: i32 = 102;
+pub const MGDT_DOMAIN_STAT_REGIONS: i32 = 103;
+pub const MGDT_DOMAIN_STAT_HOLES: i32 = 104;
+pub const MGDT_DOMAIN_STAT_MEMORY_BYTES: i32 = 110;
+pub const MGDT_DOMAIN_STAT_OFFENDING_PAIRS: i32 = 120;
+pub const MGDT_DOMAIN_STAT_OPEN_EDGES: i32 = 121;
 
-pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 10;
-pub const MGDT_DOMAIN_ARRAY_OPEN_EDGES: i32 = 11;
-pub const MGDT_DOMAIN_ARRAY_TETRAHEDRA: i32 = 20;
-pub const MGDT_DOMAIN_ARRAY_NEIGHBORS: i32 = 21;
-pub const MGDT_DOMAIN_ARRAY_REGIONS: i32 = 22;
-pub const MGDT_DOMAIN_ARRAY_REGION_MARKERS: i32 = 23;
-pub const MGDT_DOMAIN_ARRAY_FACES: i32 = 30;
-pub const MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA: i32 = 31;
-pub const MGDT_DOMAIN_ARRAY_FACE_FACETS: i32 = 32;
-pub const MGDT_DOMAIN_ARRAY_FACE_MARKERS: i32 = 33;
-pub const MGDT_DOMAIN_ARRAY_SEGMENTS: i32 = 40;
-pub const MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES: i32 = 41;
-pub const MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS: i32 = 42;
-pub const MGDT_DOMAIN_ARRAY_STEINER_EDGES: i32 = 50;
-pub const MGDT_DOMAIN_ARRAY_POINTS: i32 = 60;
-pub const MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS: i32 = 61;
+pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 200;
+pub const MGDT_DOMAIN_ARRAY_OPEN_EDGES: i32 = 210;
 
 pub const MGDT_PERIODIC_INDEX_BASE: i32 = 10;
 pub const MGDT_PERIODIC_THREADS: i32 = 20;
@@ -588,6 +608,11 @@ extern "C" {
         out: *mut *mut mgdt_voronoi,
     ) -> mgdt_status;
     pub fn mgdt_voronoi_destroy(v: *mut mgdt_voronoi);
+    pub fn mgdt_voronoi_array_info(
+        array: i32,
+        columns: *mut i32,
+        is_double: *mut i32,
+    ) -> mgdt_status;
     pub fn mgdt_voronoi_get_size(v: *const mgdt_voronoi, array: i32, size: *mut i64) -> mgdt_status;
     pub fn mgdt_voronoi_get_array(
         v: *const mgdt_voronoi,
@@ -617,6 +642,53 @@ extern "C" {
         capacity: i64,
         buffer: *mut c_char,
     ) -> mgdt_status;
+    pub fn mgdt_mesh_destroy(m: *mut mgdt_mesh);
+    pub fn mgdt_mesh_set_option(m: *mut mgdt_mesh, option: i32, value: i64) -> mgdt_status;
+    pub fn mgdt_mesh_get_option(m: *const mgdt_mesh, option: i32, value: *mut i64) -> mgdt_status;
+    pub fn mgdt_mesh_set_progress(
+        m: *mut mgdt_mesh,
+        callback: mgdt_progress_fn,
+        user: *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_get_progress(
+        m: *const mgdt_mesh,
+        callback: *mut mgdt_progress_fn,
+        user: *mut *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_cancel(m: *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_get_stat(m: *const mgdt_mesh, key: i32, value: *mut i64) -> mgdt_status;
+    pub fn mgdt_mesh_array_info(array: i32, columns: *mut i32, is_double: *mut i32) -> mgdt_status;
+    pub fn mgdt_mesh_get_size(m: *const mgdt_mesh, array: i32, size: *mut i64) -> mgdt_status;
+    pub fn mgdt_mesh_get_array(
+        m: *const mgdt_mesh,
+        array: i32,
+        capacity: i64,
+        values: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_get_array_i32(
+        m: *const mgdt_mesh,
+        array: i32,
+        capacity: i64,
+        values: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_get_doubles(
+        m: *const mgdt_mesh,
+        array: i32,
+        capacity: i64,
+        values: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_get_tetrahedron_measures(
+        m: *const mgdt_mesh,
+        measure: i32,
+        capacity: i64,
+        x: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_check(m: *const mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_get_error(
+        m: *const mgdt_mesh,
+        capacity: i64,
+        buffer: *mut c_char,
+    ) -> mgdt_status;
     pub fn mgdt_domain_create(out: *mut *mut mgdt_domain) -> mgdt_status;
     pub fn mgdt_domain_create_with_allocator(
         alloc: mgdt_alloc_fn,
@@ -637,6 +709,11 @@ extern "C" {
         callback: mgdt_progress_fn,
         user: *mut c_void,
     ) -> mgdt_status;
+    pub fn mgdt_domain_get_progress(
+        d: *const mgdt_domain,
+        callback: *mut mgdt_progress_fn,
+        user: *mut *mut c_void,
+    ) -> mgdt_status;
     pub fn mgdt_domain_cancel(d: *mut mgdt_domain) -> mgdt_status;
     pub fn mgdt_domain_set_points(d: *mut mgdt_domain, n: i64, xyz: *const f64) -> mgdt_status;
     pub fn mgdt_domain_set_facets(
@@ -646,18 +723,41 @@ extern "C" {
         corners: *const i64,
         markers: *const i32,
     ) -> mgdt_status;
+    pub fn mgdt_domain_set_facets_i32(
+        d: *mut mgdt_domain,
+        n: i64,
+        offsets: *const i32,
+        corners: *const i32,
+        markers: *const i32,
+    ) -> mgdt_status;
     pub fn mgdt_domain_set_segments(
         d: *mut mgdt_domain,
         n: i64,
         ends: *const i64,
         markers: *const i32,
     ) -> mgdt_status;
-    pub fn mgdt_domain_add_region(d: *mut mgdt_domain, xyz: *const f64, marker: i32) -> mgdt_status;
-    pub fn mgdt_domain_add_hole(d: *mut mgdt_domain, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_domain_set_segments_i32(
+        d: *mut mgdt_domain,
+        n: i64,
+        ends: *const i32,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_set_regions(
+        d: *mut mgdt_domain,
+        n: i64,
+        xyz: *const f64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_set_holes(d: *mut mgdt_domain, n: i64, xyz: *const f64) -> mgdt_status;
     pub fn mgdt_domain_validate(d: *mut mgdt_domain) -> mgdt_status;
-    pub fn mgdt_domain_build(d: *mut mgdt_domain) -> mgdt_status;
-    pub fn mgdt_domain_check(d: *const mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_build(d: *mut mgdt_domain, out: *mut *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_domain_check(d: *const mgdt_domain, mesh: *const mgdt_mesh) -> mgdt_status;
     pub fn mgdt_domain_get_stat(d: *const mgdt_domain, key: i32, value: *mut i64) -> mgdt_status;
+    pub fn mgdt_domain_array_info(
+        array: i32,
+        columns: *mut i32,
+        is_double: *mut i32,
+    ) -> mgdt_status;
     pub fn mgdt_domain_get_size(d: *const mgdt_domain, array: i32, size: *mut i64) -> mgdt_status;
     pub fn mgdt_domain_get_array(
         d: *const mgdt_domain,
@@ -670,12 +770,6 @@ extern "C" {
         array: i32,
         capacity: i64,
         values: *mut i32,
-    ) -> mgdt_status;
-    pub fn mgdt_domain_get_doubles(
-        d: *const mgdt_domain,
-        array: i32,
-        capacity: i64,
-        values: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_domain_get_error(
         d: *const mgdt_domain,
@@ -713,6 +807,11 @@ extern "C" {
         callback: mgdt_progress_fn,
         user: *mut c_void,
     ) -> mgdt_status;
+    pub fn mgdt_periodic_get_progress(
+        p: *const mgdt_periodic,
+        callback: *mut mgdt_progress_fn,
+        user: *mut *mut c_void,
+    ) -> mgdt_status;
     pub fn mgdt_periodic_cancel(p: *mut mgdt_periodic) -> mgdt_status;
     pub fn mgdt_periodic_insert_points(
         p: *mut mgdt_periodic,
@@ -725,12 +824,23 @@ extern "C" {
         points: *const i64,
         xyz: *const f64,
     ) -> mgdt_status;
+    pub fn mgdt_periodic_move_points_i32(
+        p: *mut mgdt_periodic,
+        n: i64,
+        points: *const i32,
+        xyz: *const f64,
+    ) -> mgdt_status;
     pub fn mgdt_periodic_build(p: *mut mgdt_periodic) -> mgdt_status;
     pub fn mgdt_periodic_check(p: *const mgdt_periodic) -> mgdt_status;
     pub fn mgdt_periodic_get_stat(
         p: *const mgdt_periodic,
         key: i32,
         value: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_array_info(
+        array: i32,
+        columns: *mut i32,
+        is_double: *mut i32,
     ) -> mgdt_status;
     pub fn mgdt_periodic_get_size(
         p: *const mgdt_periodic,

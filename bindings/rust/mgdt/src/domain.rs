@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-//! Meshes of what closed surfaces enclose.
+//! Domains: what closed surfaces enclose.
 
-use crate::triangulation::{as_i64, error_of, status_text, watched};
-use crate::{Error, ErrorKind};
+use crate::keyed::{Calls, Keyed};
+use crate::triangulation::{as_i64, status_text, watched};
+use crate::{Error, ErrorKind, Mesh};
 use mgdt_sys as sys;
 use std::fmt;
 use std::ops::ControlFlow;
@@ -15,78 +16,29 @@ use std::ptr;
 pub enum DomainArray {
     /// The ends of each edge that one facet alone has, and this facet.
     OpenEdges = sys::MGDT_DOMAIN_ARRAY_OPEN_EDGES,
-    /// Four corners for each tetrahedron.
-    Tetrahedra = sys::MGDT_DOMAIN_ARRAY_TETRAHEDRA,
-    /// The four tetrahedra opposite the corners of each; none where the domain ends.
-    Neighbors = sys::MGDT_DOMAIN_ARRAY_NEIGHBORS,
-    /// The region of each tetrahedron.
-    Regions = sys::MGDT_DOMAIN_ARRAY_REGIONS,
-    /// The marker of each region.
-    RegionMarkers = sys::MGDT_DOMAIN_ARRAY_REGION_MARKERS,
-    /// Three corners for each face of the mesh that is a part of a facet.
-    Faces = sys::MGDT_DOMAIN_ARRAY_FACES,
-    /// The two tetrahedra at each face, or none.
-    FaceTetrahedra = sys::MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA,
-    /// The facet that each face is a part of.
-    FaceFacets = sys::MGDT_DOMAIN_ARRAY_FACE_FACETS,
-    /// The marker of this facet.
-    FaceMarkers = sys::MGDT_DOMAIN_ARRAY_FACE_MARKERS,
-    /// Two ends for each edge of the mesh that is a part of a segment or of an edge of facets.
-    Segments = sys::MGDT_DOMAIN_ARRAY_SEGMENTS,
-    /// The segment that was set, and that each of these is a part of, or none.
-    SegmentSources = sys::MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES,
-    /// The marker of this segment, or 0.
-    SegmentMarkers = sys::MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS,
-    /// The two ends of the edge that each Steiner point divides.
-    SteinerEdges = sys::MGDT_DOMAIN_ARRAY_STEINER_EDGES,
 }
 
-/// Arrays of numbers of a [`Domain`].
+/// Statistics of a [`Domain`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[repr(i32)]
-pub enum DomainNumbers {
-    /// Three coordinates of each point: those that were set, then the Steiner points.
-    Points = sys::MGDT_DOMAIN_ARRAY_POINTS,
-    /// For each Steiner point the t for which it is a + t (b - a).
-    SteinerParameters = sys::MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS,
-}
-
-/// Single numbers of a [`Domain`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-#[repr(i32)]
-pub enum DomainCount {
+pub enum DomainStatistic {
+    /// Points that were set.
+    Points = sys::MGDT_DOMAIN_STAT_POINTS,
+    /// Facets that were set.
+    Facets = sys::MGDT_DOMAIN_STAT_FACETS,
+    /// Segments that were set.
+    Segments = sys::MGDT_DOMAIN_STAT_SEGMENTS,
+    /// Places of regions that were set.
+    Regions = sys::MGDT_DOMAIN_STAT_REGIONS,
+    /// Places of holes that were set.
+    Holes = sys::MGDT_DOMAIN_STAT_HOLES,
     /// Memory that the domain holds, in bytes.
-    MemoryBytes = sys::MGDT_DOMAIN_MEMORY_BYTES,
-    /// Points that the build has added.
-    SteinerPoints = sys::MGDT_DOMAIN_STEINER_POINTS,
-    /// Tetrahedra of the mesh.
-    Tetrahedra = sys::MGDT_DOMAIN_TETRAHEDRA,
-    /// Regions of the mesh.
-    Regions = sys::MGDT_DOMAIN_REGIONS,
-    /// Faces of the mesh that are parts of facets.
-    Faces = sys::MGDT_DOMAIN_FACES,
-    /// Coordinates are rounded to multiples of 2^-bits of the largest one.
-    GridBits = sys::MGDT_DOMAIN_GRID_BITS,
+    MemoryBytes = sys::MGDT_DOMAIN_STAT_MEMORY_BYTES,
+    /// Pairs that the last call has found.
+    OffendingPairs = sys::MGDT_DOMAIN_STAT_OFFENDING_PAIRS,
     /// Edges that one facet alone has.
-    OpenEdges = sys::MGDT_DOMAIN_OPEN_EDGES,
-    /// Points that were set and are neither a corner of a tetrahedron nor equal to one.
-    UnusedPoints = sys::MGDT_DOMAIN_UNUSED_POINTS,
-    /// Faces at which there is no tetrahedron: their facets bound nothing and are outside.
-    UnusedFaces = sys::MGDT_DOMAIN_UNUSED_FACES,
-    /// Places of regions in no region of the mesh.
-    UnusedRegions = sys::MGDT_DOMAIN_UNUSED_REGIONS,
-    /// Holes in nothing that the facets enclose.
-    UnusedHoles = sys::MGDT_DOMAIN_UNUSED_HOLES,
-    /// Facets, where those in one plane are joined.
-    PlanarFacets = sys::MGDT_DOMAIN_PLANAR_FACETS,
-    /// Of these, those that the Delaunay triangulation of all points lacks.
-    MissingFacets = sys::MGDT_DOMAIN_MISSING_FACETS,
-    /// Parts of it that were filled anew.
-    Cavities = sys::MGDT_DOMAIN_CAVITIES,
-    /// The most tetrahedra in one of them.
-    LargestCavity = sys::MGDT_DOMAIN_LARGEST_CAVITY,
+    OpenEdges = sys::MGDT_DOMAIN_STAT_OPEN_EDGES,
 }
 
 /// What crosses or touches where it must not.
@@ -101,15 +53,15 @@ pub enum DomainPart {
     Point(usize),
 }
 
-/// A domain, what closed surfaces enclose, and the mesh that fills it. Since 1.3.
+/// A domain, which closed surfaces enclose, to be filled with a [`Mesh`]. Since 1.3.
 ///
 /// ```
 /// # fn main() -> Result<(), mgdt::Error> {
 /// let mut d = mgdt::Domain::new()?;
 /// d.set_points(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?;
 /// d.set_facets(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], None)?;
-/// d.build()?;
-/// assert_eq!(d.tetrahedra()?.len(), 1);
+/// let mesh = d.build()?;
+/// assert_eq!(mesh.tetrahedra()?.len(), 1);
 /// # Ok(())
 /// # }
 /// ```
@@ -133,8 +85,8 @@ impl Drop for Domain {
 impl fmt::Debug for Domain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Domain")
-            .field("tetrahedra", &self.count(DomainCount::Tetrahedra))
-            .field("regions", &self.count(DomainCount::Regions))
+            .field("points", &self.statistic(DomainStatistic::Points))
+            .field("facets", &self.statistic(DomainStatistic::Facets))
             .finish()
     }
 }
@@ -150,6 +102,22 @@ fn ensure_markers(markers: Option<&[i32]>, n: usize) -> Result<*const i32, Error
     }
 }
 
+impl Keyed for Domain {
+    type Handle = sys::mgdt_domain;
+    const CALLS: Calls<sys::mgdt_domain> = Calls {
+        get_error: sys::mgdt_domain_get_error,
+        set_option: sys::mgdt_domain_set_option,
+        get_stat: sys::mgdt_domain_get_stat,
+        get_size: sys::mgdt_domain_get_size,
+        get_array: sys::mgdt_domain_get_array,
+        get_doubles: None,
+    };
+
+    fn raw(&self) -> *mut sys::mgdt_domain {
+        self.d.as_ptr()
+    }
+}
+
 impl Domain {
     /// A domain without points.
     pub fn new() -> Result<Domain, Error> {
@@ -161,44 +129,24 @@ impl Domain {
         }
     }
 
-    fn raw(&self) -> *mut sys::mgdt_domain {
-        self.d.as_ptr()
-    }
-
-    fn ensure(&self, status: sys::mgdt_status) -> Result<(), Error> {
-        if status == sys::MGDT_OK {
-            return Ok(());
-        }
-        Err(error_of(status, |capacity, buffer| unsafe {
-            sys::mgdt_domain_get_error(self.raw(), capacity, buffer);
-        }))
-    }
-
-    fn set_option(&mut self, option: i32, value: i64) -> Result<(), Error> {
-        let status = unsafe { sys::mgdt_domain_set_option(self.raw(), option, value) };
-        self.ensure(status)
-    }
-
     /// Sets how many threads a call may use; 0 for all cores.
     pub fn set_threads(&mut self, threads: usize) -> Result<(), Error> {
-        self.set_option(sys::MGDT_DOMAIN_THREADS, as_i64(threads))
+        self.set_option(sys::MGDT_DOMAIN_OPTION_THREADS, as_i64(threads))
     }
 
     /// Limits the memory that the domain may hold, in bytes; None for no limit.
     pub fn set_memory_limit(&mut self, bytes: Option<usize>) -> Result<(), Error> {
-        // No limit is 0 there; a limit of 0 would be none at all.
-        let limit = bytes.map_or(0, |bytes| as_i64(bytes.max(1)));
-        self.set_option(sys::MGDT_DOMAIN_MEMORY_LIMIT, limit)
+        self.set_limit(sys::MGDT_DOMAIN_OPTION_MEMORY_LIMIT, bytes)
     }
 
     /// Whether points are rounded always, so that facets are covered exactly by what is returned.
     pub fn set_rounded(&mut self, on: bool) -> Result<(), Error> {
-        self.set_option(sys::MGDT_DOMAIN_ROUND_POINTS, i64::from(on))
+        self.set_option(sys::MGDT_DOMAIN_OPTION_ROUND_POINTS, i64::from(on))
     }
 
     /// Whether a build refuses a mesh that leaves out points, facets, regions or holes.
     pub fn set_strict(&mut self, on: bool) -> Result<(), Error> {
-        self.set_option(sys::MGDT_DOMAIN_STRICT, i64::from(on))
+        self.set_option(sys::MGDT_DOMAIN_OPTION_STRICT, i64::from(on))
     }
 
     /// Sets the points. Facets and segments that were set before are removed.
@@ -253,19 +201,29 @@ impl Domain {
         self.ensure(status)
     }
 
-    /// Gives the region around a place a marker.
-    pub fn add_region(&mut self, place: [f64; 3], marker: i32) -> Result<(), Error> {
-        let status = unsafe { sys::mgdt_domain_add_region(self.raw(), place.as_ptr(), marker) };
+    /// Gives the regions around places their markers, in place of those before.
+    pub fn set_regions(&mut self, places: &[[f64; 3]], markers: &[i32]) -> Result<(), Error> {
+        let of_regions = ensure_markers(Some(markers), places.len())?;
+        let status = unsafe {
+            sys::mgdt_domain_set_regions(
+                self.raw(),
+                as_i64(places.len()),
+                places.as_ptr().cast(),
+                of_regions,
+            )
+        };
         self.ensure(status)
     }
 
-    /// Leaves what facets enclose around a place empty.
-    pub fn add_hole(&mut self, place: [f64; 3]) -> Result<(), Error> {
-        let status = unsafe { sys::mgdt_domain_add_hole(self.raw(), place.as_ptr()) };
+    /// Leaves what facets enclose around places empty, in place of the holes before.
+    pub fn set_holes(&mut self, places: &[[f64; 3]]) -> Result<(), Error> {
+        let status = unsafe {
+            sys::mgdt_domain_set_holes(self.raw(), as_i64(places.len()), places.as_ptr().cast())
+        };
         self.ensure(status)
     }
 
-    /// Removes points, facets, segments, regions, holes and the mesh; what else was set stays.
+    /// Removes points, facets, segments, regions and holes; what else was set stays.
     pub fn clear(&mut self) {
         // It fails for NULL alone.
         unsafe { sys::mgdt_domain_clear(self.raw()) };
@@ -293,105 +251,47 @@ impl Domain {
         Ok(listed.chunks_exact(4).map(pair).collect())
     }
 
-    /// Makes the mesh. [`ErrorKind::InvalidBoundary`] if facets, segments or points cross or touch
+    /// Makes a mesh. [`ErrorKind::InvalidBoundary`] if facets, segments or points cross or touch
     /// where they must not; [`offending_pairs`](Domain::offending_pairs) gives them then.
     /// [`ErrorKind::OpenBoundary`] if the facets enclose nothing.
-    pub fn build(&mut self) -> Result<(), Error> {
-        let status = unsafe { sys::mgdt_domain_build(self.raw()) };
-        self.ensure(status)
+    pub fn build(&mut self) -> Result<Mesh, Error> {
+        let mut out = ptr::null_mut();
+        let status = unsafe { sys::mgdt_domain_build(self.raw(), &mut out) };
+        self.ensure(status)?;
+        Mesh::of_raw(out)
     }
 
     /// The same with a closure that hears of progress, as
     /// [`insert_with_progress`](crate::Triangulation::insert_with_progress) has it.
-    pub fn build_with_progress<F>(&mut self, progress: F) -> Result<(), Error>
+    pub fn build_with_progress<F>(&mut self, progress: F) -> Result<Mesh, Error>
     where
         F: FnMut(f64) -> ControlFlow<()>,
     {
         let d = self.raw();
+        let mut out = ptr::null_mut();
         let status = watched(progress, |report, user| unsafe {
             sys::mgdt_domain_set_progress(d, Some(report), user);
-            let status = sys::mgdt_domain_build(d);
+            let status = sys::mgdt_domain_build(d, &mut out);
             sys::mgdt_domain_set_progress(d, None, ptr::null_mut());
             status
         });
-        self.ensure(status)
+        self.ensure(status)?;
+        Mesh::of_raw(out)
     }
 
-    /// Proves the mesh against what was set, exactly.
-    pub fn check(&self) -> Result<(), Error> {
-        self.ensure(unsafe { sys::mgdt_domain_check(self.raw()) })
+    /// Compares a mesh with what was set, exactly; [`Mesh::check`] proves the rest of it.
+    pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
+        self.ensure(unsafe { sys::mgdt_domain_check(self.raw(), mesh.raw()) })
     }
 
     /// One number of the domain.
-    pub fn count(&self, count: DomainCount) -> usize {
-        self.stat(count as i32) as usize
-    }
-
-    /// Whether the points that are returned are rounded.
-    pub fn is_rounded(&self) -> bool {
-        self.stat(sys::MGDT_DOMAIN_IS_ROUNDED) == 1
-    }
-
-    fn stat(&self, key: i32) -> i64 {
-        let mut value = 0;
-        // It fails for NULL and for unknown keys alone.
-        unsafe { sys::mgdt_domain_get_stat(self.raw(), key, &mut value) };
-        value
-    }
-
-    fn size(&self, key: i32) -> Result<usize, Error> {
-        let mut size = 0;
-        self.ensure(unsafe { sys::mgdt_domain_get_size(self.raw(), key, &mut size) })?;
-        Ok(size as usize)
-    }
-
-    fn integers(&self, key: i32) -> Result<Vec<i64>, Error> {
-        let mut values = vec![0; self.size(key)?];
-        self.ensure(unsafe {
-            sys::mgdt_domain_get_array(self.raw(), key, as_i64(values.len()), values.as_mut_ptr())
-        })?;
-        Ok(values)
+    pub fn statistic(&self, statistic: DomainStatistic) -> usize {
+        // It fails for unknown keys alone.
+        self.stat(statistic as i32).unwrap_or(0) as usize
     }
 
     /// An array of integers.
     pub fn array(&self, array: DomainArray) -> Result<Vec<i64>, Error> {
         self.integers(array as i32)
-    }
-
-    /// An array of numbers.
-    pub fn numbers(&self, array: DomainNumbers) -> Result<Vec<f64>, Error> {
-        let mut values = vec![0.0; self.size(array as i32)?];
-        self.ensure(unsafe {
-            sys::mgdt_domain_get_doubles(
-                self.raw(),
-                array as i32,
-                as_i64(values.len()),
-                values.as_mut_ptr(),
-            )
-        })?;
-        Ok(values)
-    }
-
-    /// Positions of the points: those that were set, then the Steiner points.
-    pub fn points(&self) -> Result<Vec<[f64; 3]>, Error> {
-        let numbers = self.numbers(DomainNumbers::Points)?;
-        Ok(numbers
-            .chunks_exact(3)
-            .map(|x| [x[0], x[1], x[2]])
-            .collect())
-    }
-
-    /// Corners of the tetrahedra.
-    pub fn tetrahedra(&self) -> Result<Vec<[usize; 4]>, Error> {
-        let corners = self.array(DomainArray::Tetrahedra)?;
-        let row = |v: &[i64]| [v[0] as usize, v[1] as usize, v[2] as usize, v[3] as usize];
-        Ok(corners.chunks_exact(4).map(row).collect())
-    }
-
-    /// Corners of the faces that are parts of facets.
-    pub fn faces(&self) -> Result<Vec<[usize; 3]>, Error> {
-        let corners = self.array(DomainArray::Faces)?;
-        let row = |v: &[i64]| [v[0] as usize, v[1] as usize, v[2] as usize];
-        Ok(corners.chunks_exact(3).map(row).collect())
     }
 }

@@ -22,14 +22,17 @@
 mod domain;
 mod error;
 mod export;
+mod keyed;
+mod mesh;
 mod names;
 mod periodic;
 mod triangulation;
 mod voronoi;
 
-pub use domain::{Domain, DomainArray, DomainCount, DomainNumbers, DomainPart};
+pub use domain::{Domain, DomainArray, DomainPart, DomainStatistic};
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
+pub use mesh::{Mesh, MeshArray, MeshDoubles, MeshStatistic};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};
 pub use periodic::{Periodic, PeriodicArray, PeriodicCount};
 pub use triangulation::{Canceller, Triangulation};

@@ -118,69 +118,79 @@ fn given_domain() -> mgdt::Domain {
     d.set_points(&places("domain_given_points")).unwrap();
     d.set_facets(&facets, Some(&markers)).unwrap();
     d.set_segments(&[[0, 1], [8, 9]], Some(&[5, 6])).unwrap();
-    d.add_hole([1.0, 1.0, 3.0]).unwrap();
-    d.add_region([0.0, 0.0, 9.5], 7).unwrap();
+    d.set_holes(&[[1.0, 1.0, 3.0]]).unwrap();
+    d.set_regions(&[[0.0, 0.0, 9.5]], &[7]).unwrap();
     d
 }
 
 #[test]
 fn a_domain() {
-    use mgdt::{DomainArray as Array, DomainCount as Count, DomainNumbers as Numbers};
+    use mgdt::{DomainStatistic, MeshArray as Array, MeshDoubles as Doubles, MeshStatistic as Statistic};
     let mut d = given_domain();
     assert!(d.validate().unwrap().is_empty());
     let mut heard = 0.0;
-    d.build_with_progress(|fraction| {
-        heard += fraction;
-        std::ops::ControlFlow::Continue(())
-    })
-    .unwrap();
+    let m = d
+        .build_with_progress(|fraction| {
+            heard += fraction;
+            std::ops::ControlFlow::Continue(())
+        })
+        .unwrap();
     assert!(heard > 0.0);
-    d.check().unwrap();
+    m.check().unwrap();
+    d.check(&m).unwrap();
     for (array, name) in [
+        (Array::PointOrigins, "point_origins"),
         (Array::Tetrahedra, "tetrahedra"),
         (Array::Neighbors, "neighbors"),
-        (Array::Regions, "regions"),
+        (Array::TetrahedronRegions, "tetrahedron_regions"),
         (Array::RegionMarkers, "region_markers"),
         (Array::Faces, "faces"),
         (Array::FaceTetrahedra, "face_tetrahedra"),
         (Array::FaceFacets, "face_facets"),
         (Array::FaceMarkers, "face_markers"),
-        (Array::Segments, "segments"),
-        (Array::SegmentSources, "segment_sources"),
-        (Array::SegmentMarkers, "segment_markers"),
+        (Array::Edges, "edges"),
+        (Array::EdgeSegments, "edge_segments"),
+        (Array::EdgeMarkers, "edge_markers"),
         (Array::SteinerEdges, "steiner_edges"),
     ] {
         let expected = integers(&format!("domain_{}", name));
-        assert_eq!(d.array(array).unwrap(), expected, "{}", name);
+        assert_eq!(m.array(array).unwrap(), expected, "{}", name);
     }
-    assert_eq!(d.points().unwrap(), places("domain_points"));
+    assert_eq!(m.points().unwrap(), places("domain_points"));
     assert_eq!(
-        d.numbers(Numbers::SteinerParameters).unwrap(),
+        m.doubles(Doubles::SteinerParameters).unwrap(),
         doubles("domain_steiner_parameters")
     );
     assert_eq!(
-        plain(d.tetrahedra().unwrap()),
+        plain(m.tetrahedra().unwrap()),
         rows::<4>("domain_tetrahedra")
     );
-    assert_eq!(plain(d.faces().unwrap()), rows::<3>("domain_faces"));
-    assert!(d.is_rounded());
-    assert_eq!(d.count(Count::Regions), 2);
+    assert_eq!(plain(m.faces().unwrap()), rows::<3>("domain_faces"));
     assert_eq!(
-        18 + d.count(Count::SteinerPoints),
-        d.points().unwrap().len()
+        m.tetrahedron_measures(mgdt::TetrahedronMeasure::Volume).unwrap(),
+        doubles("domain_volumes")
     );
-    assert!(d.count(Count::MemoryBytes) > 1000);
-    assert!(format!("{:?}", d).contains("regions: 2"));
+    assert!(m.is_rounded());
+    assert_eq!(m.statistic(Statistic::Regions), 2);
+    assert_eq!(
+        18 + m.statistic(Statistic::SteinerPoints),
+        m.points().unwrap().len()
+    );
+    assert!(m.statistic(Statistic::MemoryBytes) > 1000);
+    assert!(d.statistic(DomainStatistic::MemoryBytes) > 1000);
+    assert!(format!("{:?}", m).contains("regions: 2"));
+    assert!(format!("{:?}", d).contains("points: 18"));
     fn crosses_threads<T: Send + Sync>(_: &T) {}
     crosses_threads(&d);
+    crosses_threads(&m);
     d.set_threads(2).unwrap();
     d.set_memory_limit(Some(1)).unwrap();
     assert_eq!(d.build().unwrap_err().kind(), mgdt::ErrorKind::OutOfMemory);
     d.set_memory_limit(None).unwrap();
-    d.build().unwrap();
+    let m = d.build().unwrap();
     // A facet in the hole bounds nothing.
-    assert!(d.count(Count::UnusedFaces) > 0);
-    assert_eq!(d.count(Count::UnusedHoles), 0);
+    assert!(m.statistic(Statistic::UnusedFaces) > 0);
+    assert_eq!(m.statistic(Statistic::UnusedHoles), 0);
     d.set_strict(true).unwrap();
     assert_eq!(
         d.build().unwrap_err().kind(),
@@ -191,7 +201,9 @@ fn a_domain() {
         d.build().unwrap_err().kind(),
         mgdt::ErrorKind::OpenBoundary
     );
-    assert_eq!(d.count(Count::Tetrahedra), 0);
+    // The mesh outlives what it was made from.
+    drop(d);
+    m.check().unwrap();
 }
 
 #[test]
@@ -228,8 +240,8 @@ fn what_a_domain_refuses() {
     assert_eq!(error.kind(), ErrorKind::InvalidBoundary);
     assert_eq!(d.offending_pairs().unwrap(), [(Facet(0), Facet(1))]);
     assert_eq!(d.validate().unwrap(), [(Facet(0), Facet(1))]);
-    assert_eq!(d.check().unwrap_err().kind(), ErrorKind::NotBuilt);
-    assert_eq!(d.tetrahedra().unwrap_err().kind(), ErrorKind::NotBuilt);
+    let error = d.set_regions(&[[0.0; 3]], &[1, 2]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
 }
 
 #[test]

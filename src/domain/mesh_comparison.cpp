@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "domain/mesh_comparison.hpp"
+
+#include <algorithm>
+
+#include "core/affine_basis.hpp"
+#include "domain/planar_facets.hpp"
+#include "platform/error.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// An edge of the boundary of a facet, with the direction in which the boundary runs: 1 from a to b.
+struct DirectedEdge {
+    std::uint32_t facet, a, b;
+    int direction;
+
+    DirectedEdge(std::uint32_t of, std::uint32_t from, std::uint32_t to, int sign)
+        : facet(of),
+          a(std::min(from, to)),
+          b(std::max(from, to)),
+          direction(from < to ? sign : -sign) {}
+    friend bool operator<(const DirectedEdge& e, const DirectedEdge& f) {
+        return e.facet != f.facet ? e.facet < f.facet : e.a != f.a ? e.a < f.a : e.b < f.b;
+    }
+};
+
+class MeshComparison {
+  public:
+    MeshComparison(const DomainInput& input, const DomainMesh& mesh, std::int32_t base,
+                   Allocator& allocator)
+        : mesh_(mesh),
+          allocator_(allocator),
+          base_(base),
+          input_(input),
+          complex_(make_complex(input, allocator)),
+          grid_(input.points, mesh.grid.bits()),
+          facets_(allocator) {}
+
+    void run() {
+        for (double& x : complex_.boundary.points) x = grid_.round(x);
+        facets_ = find_planar_facets(complex_.boundary, complex_.markers, allocator_);
+        check_points();
+        check_sources();
+        if (is_flat()) return;
+        check_facets();
+        check_segments();
+        check_places();
+    }
+
+  private:
+    static constexpr std::uint32_t none = DomainMesh::none;
+
+    long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
+    const double* exact(std::uint32_t v) const {
+        return mesh_.exact_points.begin() + 3 * std::size_t{v};
+    }
+    // The point that is returned for a distinct point of the complex.
+    std::uint32_t index(std::uint32_t v) const { return complex_.point_of_number[v]; }
+
+    // The caller's points come first, where they were, and each is the origin of its equals.
+    void check_points() const {
+        const std::size_t given = input_.point_count();
+        if (mesh_.points.size() != input_.points.size() + 3 * mesh_.steiner_parameters.size())
+            fail(MGDT_ERR_CHECK_FAILED, "the mesh has %zu points besides Steiner points, not %zu",
+                 mesh_.points.size() / 3 - mesh_.steiner_parameters.size(), given);
+        for (std::size_t i = 0; i < 3 * given; ++i) {
+            if (mesh_.exact_points[i] != grid_.round(input_.points[i]))
+                fail(MGDT_ERR_CHECK_FAILED, "point %lld is not where it was", number(i / 3));
+            const double expected =
+                mesh_.is_rounded ? grid_.unround(mesh_.exact_points[i]) : input_.points[i];
+            if (mesh_.points[i] != expected)
+                fail(MGDT_ERR_CHECK_FAILED, "point %lld has other coordinates", number(i / 3));
+        }
+        for (std::size_t i = 0; i < given; ++i)
+            if (mesh_.point_origins[i] != index(complex_.number_of_point[i]))
+                fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
+    }
+
+    // Facets and segments of faces and edges exist, and have their markers.
+    void check_sources() const {
+        for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
+            if (mesh_.face_facets[f] >= input_.facet_count() ||
+                mesh_.face_markers[f] != input_.facet_markers[mesh_.face_facets[f]])
+                fail(MGDT_ERR_CHECK_FAILED, "face %lld has a wrong facet or marker", number(f));
+        for (std::size_t e = 0; e < mesh_.edge_segments.size(); ++e) {
+            const std::uint32_t segment = mesh_.edge_segments[e];
+            if (segment != none && segment >= input_.segment_count())
+                fail(MGDT_ERR_CHECK_FAILED, "edge %lld is of no segment", number(e));
+            if (mesh_.edge_markers[e] != (segment == none ? 0 : input_.segment_markers[segment]))
+                fail(MGDT_ERR_CHECK_FAILED, "edge %lld has another marker", number(e));
+        }
+    }
+
+    // Whether all points are in one plane. There are no tetrahedra then, and no faces.
+    bool is_flat() const {
+        AffineBasis basis;
+        for (std::size_t i = 0; i < complex_.boundary.points.size(); i += 3)
+            basis.add(complex_.boundary.points.begin() + i);
+        return basis.dimension() < 3 && mesh_.tetrahedra.empty() && mesh_.faces.empty() &&
+               mesh_.edges.empty();
+    }
+
+    // The triangles of each facet and its faces are in one plane and have the same boundary. A sum
+    // of triangles in a plane is determined by its boundary, and no face counts negatively. So the
+    // faces cover the facet, once.
+    void check_facets() {
+        Buffer<DirectedEdge> edges(allocator_);
+        const Buffer<std::uint32_t>& triangles = complex_.boundary.triangles;
+        Buffer<std::uint32_t> planar(allocator_);  // the planar facet of the caller's facets
+        planar.resize(input_.facet_count(), none);
+        for (const PlanarFacets::Facet& facet : facets_.facets) {
+            std::uint32_t& of = planar[complex_.facet_of_triangle[facet.triangle]];
+            if (of == none) of = facets_.of_triangle[facet.triangle];
+        }
+        for (std::uint32_t t = 0; t < facets_.of_triangle.size(); ++t) {
+            const std::uint32_t* const v = triangles.begin() + 3 * std::size_t{t};
+            const std::uint32_t corner[3] = {index(v[0]), index(v[1]), index(v[2])};
+            const std::uint32_t f = representative(facets_.of_triangle[t], planar);
+            const int sign = direction(f, corner);
+            if (sign == 0) fail(MGDT_ERR_INTERNAL, "the triangles of a facet are not in one plane");
+            for (int k = 0; k < 3; ++k) add_divided(f, corner[k], corner[(k + 1) % 3], sign, edges);
+        }
+        for (std::uint32_t i = 0; i < mesh_.face_facets.size(); ++i) {
+            const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{i};
+            const std::uint32_t f = facet_of_face(i, planar);
+            if (f == none) fail(MGDT_ERR_CHECK_FAILED, "face %lld is on no facet", number(i));
+            for (int k = 0; k < 3; ++k) edges.push_back(DirectedEdge(f, v[k], v[(k + 1) % 3], -1));
+        }
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t i = 0; i < edges.size();) {
+            const DirectedEdge& first = edges[i];
+            int sum = 0;
+            for (; i < edges.size() && !(first < edges[i]); ++i) sum += edges[i].direction;
+            if (sum != 0)
+                fail(MGDT_ERR_CHECK_FAILED, "facet %lld is not covered at points %lld and %lld",
+                     number(complex_.facet_of_triangle[facets_.facets[first.facet].triangle]),
+                     number(first.a), number(first.b));
+        }
+    }
+
+    // The sign of a triangle in the plane of a planar facet relative to the facet's first triangle,
+    // or 0 if it is in another plane.
+    int direction(std::uint32_t facet, const std::uint32_t (&v)[3]) const {
+        const std::uint32_t* const corner =
+            complex_.boundary.triangles.begin() + 3 * std::size_t{facets_.facets[facet].triangle};
+        const double *const a = exact(index(corner[0])), *const b = exact(index(corner[1])),
+                            *const c = exact(index(corner[2]));
+        for (const std::uint32_t p : v)
+            if (orientation(a, b, c, exact(p)) != 0) return 0;
+        // A point beside the plane: the corners and the facet's three have the same sign with it.
+        double beside[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            std::copy_n(a, 3, beside);
+            beside[axis] += 1;
+            const int side = orientation(a, b, c, beside);
+            if (side != 0) return orientation(exact(v[0]), exact(v[1]), exact(v[2]), beside) * side;
+        }
+        return 0;
+    }
+
+    // The first planar facet in the plane of a planar facet that is of the same facet of the
+    // caller's. The caller's segments may divide a facet, and its parts are checked together.
+    std::uint32_t representative(std::uint32_t facet, const Buffer<std::uint32_t>& planar) const {
+        const std::uint32_t triangle = facets_.facets[facet].triangle;
+        const std::uint32_t* const v =
+            complex_.boundary.triangles.begin() + 3 * std::size_t{triangle};
+        const std::uint32_t corner[3] = {index(v[0]), index(v[1]), index(v[2])};
+        for (std::uint32_t f = planar[complex_.facet_of_triangle[triangle]]; f < facet; ++f)
+            if (direction(f, corner) > 0) return f;
+        return facet;
+    }
+
+    // The planar facet with the caller's facet of a face, in the plane of the face; `none` if there
+    // is none.
+    std::uint32_t facet_of_face(std::uint32_t face, const Buffer<std::uint32_t>& planar) const {
+        const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{face};
+        const std::uint32_t corner[3] = {v[0], v[1], v[2]};
+        const std::uint32_t source = mesh_.face_facets[face];
+        for (std::uint32_t f = planar[source]; f < facets_.facets.size(); ++f) {
+            if (complex_.facet_of_triangle[facets_.facets[f].triangle] != source) break;
+            if (direction(f, corner) > 0) return f;
+        }
+        return none;
+    }
+
+    // Adds the parts of an edge of a triangle.
+    void add_divided(std::uint32_t facet, std::uint32_t a, std::uint32_t b, int sign,
+                     Buffer<DirectedEdge>& edges) {
+        const Chain chain = this->chain(a, b);
+        std::uint32_t from = a;
+        for (std::size_t i = 0; i < chain.size; ++i) {
+            const std::uint32_t to =
+                chain.is_reversed ? chain.first[chain.size - 1 - i].point : chain.first[i].point;
+            edges.push_back(DirectedEdge(facet, from, to, sign));
+            from = to;
+        }
+        edges.push_back(DirectedEdge(facet, from, b, sign));
+    }
+
+    // The Steiner points of a segment, sorted by their parameters.
+    struct Place {
+        std::uint32_t a, b;
+        double t;
+        std::uint32_t point;
+        friend bool operator<(const Place& p, const Place& q) {
+            return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.t < q.t;
+        }
+    };
+    struct Chain {
+        const Place* first;
+        std::size_t size;
+        bool is_reversed;
+    };
+    Chain chain(std::uint32_t a, std::uint32_t b) {
+        if (places_.size() < mesh_.steiner_parameters.size()) {
+            for (std::size_t i = 0; i < mesh_.steiner_parameters.size(); ++i)
+                places_.push_back({mesh_.steiner_edges[2 * i], mesh_.steiner_edges[2 * i + 1],
+                                   mesh_.steiner_parameters[i],
+                                   static_cast<std::uint32_t>(input_.point_count() + i)});
+            std::sort(places_.begin(), places_.end());
+        }
+        for (const bool is_reversed : {false, true}) {
+            const std::uint32_t from = is_reversed ? b : a, to = is_reversed ? a : b;
+            const Place* const first =
+                std::lower_bound(places_.begin(), places_.end(), Place{from, to, 0, 0});
+            const Place* const last =
+                std::lower_bound(places_.begin(), places_.end(), Place{from, to, 2, 0});
+            if (first != last) return {first, static_cast<std::size_t>(last - first), is_reversed};
+        }
+        return {nullptr, 0, false};
+    }
+
+    // A part of a segment, and the caller's segment that it is a part of, or `none`.
+    struct Part {
+        std::uint32_t a, b, source;
+        friend bool operator<(const Part& p, const Part& q) {
+            return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.source < q.source;
+        }
+    };
+    static Part part(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
+        return {std::min(a, b), std::max(a, b), source};
+    }
+
+    // The parts of the segments are listed, and nothing else; every Steiner point is on a segment.
+    void check_segments() {
+        Buffer<Part> given(allocator_), expected(allocator_), found(allocator_);
+        const Buffer<std::uint32_t>& ends = complex_.boundary.segments;
+        for (std::uint32_t i = 0; i < ends.size() / 2; ++i)
+            given.push_back(
+                part(index(ends[2 * std::size_t{i}]), index(ends[2 * std::size_t{i} + 1]), i));
+        std::sort(given.begin(), given.end());
+        std::size_t steiner = 0;
+        for (std::size_t s = 0; s < facets_.segments.size(); s += 2) {
+            const std::uint32_t a = index(facets_.segments[s]), b = index(facets_.segments[s + 1]);
+            const Part whole = part(a, b, 0);
+            const Part* const of = std::lower_bound(given.begin(), given.end(), whole);
+            const bool is_given = of != given.end() && of->a == whole.a && of->b == whole.b;
+            const std::uint32_t source = is_given ? of->source : none;
+            const Chain chain = this->chain(a, b);
+            std::uint32_t from = chain.is_reversed ? b : a;
+            for (std::size_t i = 0; i < chain.size; ++i) {
+                expected.push_back(part(from, chain.first[i].point, source));
+                from = chain.first[i].point;
+            }
+            expected.push_back(part(from, chain.is_reversed ? a : b, source));
+            steiner += chain.size;
+        }
+        if (steiner != mesh_.steiner_parameters.size())
+            fail(MGDT_ERR_CHECK_FAILED, "a Steiner point is on no segment");
+        for (std::size_t s = 0; s < mesh_.edge_segments.size(); ++s)
+            found.push_back(
+                part(mesh_.edges[2 * s], mesh_.edges[2 * s + 1], mesh_.edge_segments[s]));
+        std::sort(expected.begin(), expected.end());
+        std::sort(found.begin(), found.end());
+        if (expected.size() != found.size())
+            fail(MGDT_ERR_CHECK_FAILED, "there are %zu parts of segments, not %zu", found.size(),
+                 expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (expected[i] < found[i] || found[i] < expected[i])
+                fail(MGDT_ERR_CHECK_FAILED, "points %lld and %lld are no part of a segment",
+                     number(found[i].a), number(found[i].b));
+    }
+
+    // No hole is in a tetrahedron, and regions have the markers of the places in them.
+    void check_places() const {
+        Buffer<std::int32_t> markers(allocator_);
+        markers.resize(mesh_.region_markers.size(), 0);
+        for (const DomainInput::Place& hole : input_.holes)
+            for_each_at(hole, [&](std::uint32_t t) {
+                fail(MGDT_ERR_CHECK_FAILED, "tetrahedron %lld is in a hole", number(t));
+            });
+        for (const DomainInput::Place& region : input_.regions)
+            for_each_at(region,
+                        [&](std::uint32_t t) { markers[mesh_.regions[t]] = region.marker; });
+        for (std::size_t r = 0; r < markers.size(); ++r)
+            if (markers[r] != mesh_.region_markers[r])
+                fail(MGDT_ERR_CHECK_FAILED, "region %lld has the marker %d, not %d", number(r),
+                     static_cast<int>(mesh_.region_markers[r]), static_cast<int>(markers[r]));
+    }
+
+    // Calls f for each tetrahedron whose closure contains a place.
+    template <class F>
+    void for_each_at(const DomainInput::Place& place, F f) const {
+        double x[3];
+        if (!grid_.scale_place(place.x, x)) return;
+        for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
+            if (mesh_.side(t, x) >= 0) f(t);
+    }
+
+    const DomainMesh& mesh_;
+    Allocator& allocator_;
+    std::int64_t base_;
+    const DomainInput& input_;
+    Complex complex_;
+    RoundingGrid grid_;
+    PlanarFacets facets_;
+    Buffer<Place> places_{allocator_};
+};
+
+}  // namespace
+
+void compare_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
+                  Allocator& allocator) {
+    MeshComparison(input, mesh, index_base, allocator).run();
+}
+
+}  // namespace mgdt

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Volume, shape and size of the tetrahedra of a mesh, with the coordinates that the caller reads.
+#pragma once
+
+#include "domain/domain_mesh.hpp"
+#include "parallel/team.hpp"
+#include "query/tetrahedron_measures.hpp"
+
+namespace mgdt {
+
+// Writes a measure of each tetrahedron.
+void measure_tetrahedra(const DomainMesh& mesh, TetrahedronMeasure measure, Team& team,
+                        Allocator& allocator, double* x);
+
+}  // namespace mgdt
