@@ -70,14 +70,18 @@ module mgdt
               mgdt_interpolate_laplace, mgdt_interpolate_sibson_c1
     public :: mgdt_outside_none, mgdt_outside_nearest, mgdt_outside_boundary, &
               mgdt_outside_linear
-    public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
-              mgdt_voronoi_face_images, mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, &
-              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_cell_neighbors, &
-              mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
-              mgdt_voronoi_ray_directions, mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, &
-              mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
-              mgdt_voronoi_cell_centroids, mgdt_voronoi_cell_face_areas, &
-              mgdt_voronoi_cell_neighbor_distances
+    public :: mgdt_voronoi_stat_vertices, mgdt_voronoi_stat_rays, mgdt_voronoi_stat_faces, &
+              mgdt_voronoi_stat_points, mgdt_voronoi_stat_memory_bytes
+    public :: mgdt_voronoi_array_face_offsets, mgdt_voronoi_array_face_corners, &
+              mgdt_voronoi_array_face_sides, mgdt_voronoi_array_face_shifts, &
+              mgdt_voronoi_array_ray_vertices, mgdt_voronoi_array_cell_offsets, &
+              mgdt_voronoi_array_cell_faces, mgdt_voronoi_array_cell_bounded, &
+              mgdt_voronoi_array_cell_neighbors, mgdt_voronoi_array_cell_neighbor_shifts, &
+              mgdt_voronoi_array_vertices, mgdt_voronoi_array_ray_directions, &
+              mgdt_voronoi_array_face_areas, mgdt_voronoi_array_face_normals, &
+              mgdt_voronoi_array_face_centroids, mgdt_voronoi_array_cell_volumes, &
+              mgdt_voronoi_array_cell_centroids, mgdt_voronoi_array_cell_face_areas, &
+              mgdt_voronoi_array_cell_neighbor_distances
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
               mgdt_mesh_option_memory_limit
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
@@ -103,15 +107,17 @@ module mgdt
               mgdt_domain_stat_regions, mgdt_domain_stat_holes, mgdt_domain_stat_memory_bytes, &
               mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
     public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges
-    public :: mgdt_periodic_index_base, mgdt_periodic_threads, mgdt_periodic_memory_limit
-    public :: mgdt_periodic_given_points, mgdt_periodic_memory_bytes, mgdt_periodic_dimensions, &
-              mgdt_periodic_vertices, mgdt_periodic_tetrahedra, mgdt_periodic_edges, &
-              mgdt_periodic_images, mgdt_periodic_rounds
-    public :: mgdt_periodic_array_point_map, mgdt_periodic_array_point_offsets, &
-              mgdt_periodic_array_tetrahedra, mgdt_periodic_array_offsets, &
-              mgdt_periodic_array_neighbors, mgdt_periodic_array_neighbor_offsets, &
-              mgdt_periodic_array_vertex_neighbor_starts, mgdt_periodic_array_vertex_neighbors, &
-              mgdt_periodic_array_vertex_neighbor_offsets, mgdt_periodic_array_points, &
+    public :: mgdt_periodic_option_index_base, mgdt_periodic_option_threads, &
+              mgdt_periodic_option_memory_limit
+    public :: mgdt_periodic_stat_points, mgdt_periodic_stat_vertices, &
+              mgdt_periodic_stat_tetrahedra, mgdt_periodic_stat_edges, &
+              mgdt_periodic_stat_dimensions, mgdt_periodic_stat_memory_bytes, &
+              mgdt_periodic_stat_images, mgdt_periodic_stat_rounds
+    public :: mgdt_periodic_array_point_map, mgdt_periodic_array_point_shifts, &
+              mgdt_periodic_array_tetrahedra, mgdt_periodic_array_tetrahedron_shifts, &
+              mgdt_periodic_array_neighbors, mgdt_periodic_array_neighbor_shifts, &
+              mgdt_periodic_array_vertex_neighbor_offsets, mgdt_periodic_array_vertex_neighbors, &
+              mgdt_periodic_array_vertex_neighbor_shifts, mgdt_periodic_array_points, &
               mgdt_periodic_array_vectors
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of

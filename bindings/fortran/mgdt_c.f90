@@ -419,6 +419,14 @@ module mgdt_c
             import :: c_ptr
             type(c_ptr), value :: v
         end subroutine
+        function c_voronoi_get_stat(v, key, value) result(status) &
+            bind(c, name='mgdt_voronoi_get_stat')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int32_t), value :: key
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
         function c_voronoi_array_info(array, columns, is_double) result(status) &
             bind(c, name='mgdt_voronoi_array_info')
             import :: c_int32_t
@@ -444,12 +452,12 @@ module mgdt_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: status
         end function
-        function c_voronoi_drop_small_faces(v, area, relative) result(status) &
+        function c_voronoi_drop_small_faces(v, least_area, least_share) result(status) &
             bind(c, name='mgdt_voronoi_drop_small_faces')
             import :: c_double, c_int32_t, c_ptr
             type(c_ptr), value :: v
-            real(c_double), value :: area
-            real(c_double), value :: relative
+            real(c_double), value :: least_area
+            real(c_double), value :: least_share
             integer(c_int32_t) :: status
         end function
         function c_voronoi_get_error(v, capacity, buffer) result(status) &

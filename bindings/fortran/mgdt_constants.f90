@@ -208,69 +208,82 @@ module mgdt_constants
     ! mgdt_get_gradients() at the corners of the hull facet.
     integer, parameter :: mgdt_outside_linear = 40
 
+    ! Numbers of a Voronoi diagram.
+    ! Vertices.
+    integer, parameter :: mgdt_voronoi_stat_vertices = 100
+    ! Rays.
+    integer, parameter :: mgdt_voronoi_stat_rays = 101
+    ! Faces, without those that were dropped.
+    integer, parameter :: mgdt_voronoi_stat_faces = 102
+    ! Points that were inserted: the arrays of cells have a row for each.
+    integer, parameter :: mgdt_voronoi_stat_points = 103
+    ! Memory that the handle holds.
+    integer, parameter :: mgdt_voronoi_stat_memory_bytes = 110
+
     ! Arrays of a Voronoi diagram.
     ! Offsets of the faces' lists of corners.
-    integer, parameter :: mgdt_voronoi_face_offsets = 10
+    integer, parameter :: mgdt_voronoi_array_face_offsets = 200
     ! The corners of each face, counter-clockwise about its normal. A corner that is at least the
     ! index base is a vertex. A negative one is a ray: ray k, counted from 0, is -1 - k. The two
     ! rays of an unbounded face come last: first the ray from the last vertex, then the ray from the
     ! first one.
-    integer, parameter :: mgdt_voronoi_face_corners = 11
+    integer, parameter :: mgdt_voronoi_array_face_corners = 201
     ! Two elements for each face: the lesser index of the two points that the face separates, then
     ! the other one. A face in a plane of the region has the index of the point, then -1 - k for
     ! plane k, counted from 0.
-    integer, parameter :: mgdt_voronoi_face_sides = 12
-    ! Three elements for each face of a diagram of mgdt_periodic_create_voronoi(): how often each
-    ! vector of the box has to be added to the second side to get the image that the face is
-    ! between. Empty for other diagrams.
-    integer, parameter :: mgdt_voronoi_face_images = 13
+    integer, parameter :: mgdt_voronoi_array_face_sides = 202
+    ! Three elements for each face of a diagram of mgdt_periodic_create_voronoi(), a shift: how
+    ! often each vector of the box has to be added to the second side to get the image that the face
+    ! is between. Empty for other diagrams.
+    integer, parameter :: mgdt_voronoi_array_face_shifts = 203
     ! The vertex where each ray begins.
-    integer, parameter :: mgdt_voronoi_ray_vertices = 20
+    integer, parameter :: mgdt_voronoi_array_ray_vertices = 210
     ! Offsets of the cells' lists of faces, for each point that was inserted. A point that is no
     ! vertex of the triangulation has no cell and an empty list.
-    integer, parameter :: mgdt_voronoi_cell_offsets = 30
+    integer, parameter :: mgdt_voronoi_array_cell_offsets = 220
     ! The faces of each cell, in ascending order.
-    integer, parameter :: mgdt_voronoi_cell_faces = 31
+    integer, parameter :: mgdt_voronoi_array_cell_faces = 221
     ! For each point 1 if it has a cell and this cell is bounded, otherwise 0.
-    integer, parameter :: mgdt_voronoi_cell_bounded = 32
-    ! For each element of MGDT_VORONOI_CELL_FACES what is on the other side of the face: a point, or
-    ! -1 - k for plane k. With MGDT_VORONOI_CELL_OFFSETS, MGDT_VORONOI_CELL_FACE_AREAS and
-    ! MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES this is a list of neighbours with weights; a point may be
-    ! in the list of a cell of a periodic box several times, as different images.
-    integer, parameter :: mgdt_voronoi_cell_neighbors = 33
-    ! Three elements for each of these: how often each vector of the box has to be added to the
-    ! point to get the image that is the neighbour. Empty if there is no box.
-    integer, parameter :: mgdt_voronoi_cell_neighbor_images = 34
+    integer, parameter :: mgdt_voronoi_array_cell_bounded = 222
+    ! For each element of MGDT_VORONOI_ARRAY_CELL_FACES what is on the other side of the face: a
+    ! point, or -1 - k for plane k. With MGDT_VORONOI_ARRAY_CELL_OFFSETS,
+    ! MGDT_VORONOI_ARRAY_CELL_FACE_AREAS and MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES this is a
+    ! list of neighbours with weights; a point may be in the list of a cell of a periodic box
+    ! several times, as different images.
+    integer, parameter :: mgdt_voronoi_array_cell_neighbors = 223
+    ! Three elements for each of these, a shift: how often each vector of the box has to be added to
+    ! the point to get the image that is the neighbour. Empty if there is no box.
+    integer, parameter :: mgdt_voronoi_array_cell_neighbor_shifts = 224
     ! 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range of
     ! doubles is infinite.
-    integer, parameter :: mgdt_voronoi_vertices = 50
+    integer, parameter :: mgdt_voronoi_array_vertices = 300
     ! 3 coordinates of the direction of each ray, of length 1, with errors of at most 1e-15.
-    integer, parameter :: mgdt_voronoi_ray_directions = 51
+    integer, parameter :: mgdt_voronoi_array_ray_directions = 310
     ! The area of each face; infinite for an unbounded face, or beyond the range of doubles. The
     ! error is at most 1e-12 times the area, plus 1e-14 times the square of the distance between the
     ! two points that the face separates.
-    integer, parameter :: mgdt_voronoi_face_areas = 60
+    integer, parameter :: mgdt_voronoi_array_face_areas = 320
     ! 3 coordinates of the unit normal of each face, with errors of at most 1e-15. It points from
     ! the first side to the second one: out of the cell of the first point.
-    integer, parameter :: mgdt_voronoi_face_normals = 61
+    integer, parameter :: mgdt_voronoi_array_face_normals = 321
     ! 3 coordinates of the centroid of each face; infinite for an unbounded face. Besides the
     ! rounding of the coordinates, the error is at most 1e-12 times the distance of the farthest
     ! corner from the first side. If the area is at most 1e-14 times the square of the distance
     ! between the two points, the centroid may be a corner instead.
-    integer, parameter :: mgdt_voronoi_face_centroids = 62
+    integer, parameter :: mgdt_voronoi_array_face_centroids = 322
     ! The volume of each cell, as mgdt_get_cell_measures() gives it, but perhaps with other
     ! roundings. 0 for a point without a cell.
-    integer, parameter :: mgdt_voronoi_cell_volumes = 70
+    integer, parameter :: mgdt_voronoi_array_cell_volumes = 330
     ! 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
     ! infinite for an unbounded cell, and 0 for a point without a cell.
-    integer, parameter :: mgdt_voronoi_cell_centroids = 71
-    ! For each element of MGDT_VORONOI_CELL_FACES the area of the face.
-    integer, parameter :: mgdt_voronoi_cell_face_areas = 72
-    ! For each element of MGDT_VORONOI_CELL_FACES the distance of the cell's point from the point on
-    ! the other side, with an error of at most 1e-15 times the distance; or from the plane there,
-    ! with an error of at most 1e-15 times the sum of the distance and the point's largest
+    integer, parameter :: mgdt_voronoi_array_cell_centroids = 331
+    ! For each element of MGDT_VORONOI_ARRAY_CELL_FACES the area of the face.
+    integer, parameter :: mgdt_voronoi_array_cell_face_areas = 332
+    ! For each element of MGDT_VORONOI_ARRAY_CELL_FACES the distance of the cell's point from the
+    ! point on the other side, with an error of at most 1e-15 times the distance; or from the plane
+    ! there, with an error of at most 1e-15 times the sum of the distance and the point's largest
     ! coordinate.
-    integer, parameter :: mgdt_voronoi_cell_neighbor_distances = 73
+    integer, parameter :: mgdt_voronoi_array_cell_neighbor_distances = 333
 
     ! Options.
     ! 0 or 1, at first that of the domain. It applies to indices that are read later.
@@ -408,59 +421,59 @@ module mgdt_constants
 
     ! Options.
     ! 0 (default) or 1. It applies to indices that are given or read later.
-    integer, parameter :: mgdt_periodic_index_base = 10
+    integer, parameter :: mgdt_periodic_option_index_base = 10
     ! Threads, see mgdt_set_threads(); default 1, 0 for all cores.
-    integer, parameter :: mgdt_periodic_threads = 20
+    integer, parameter :: mgdt_periodic_option_threads = 20
     ! Bytes that the handle may hold; 0 (default) for no limit.
-    integer, parameter :: mgdt_periodic_memory_limit = 30
+    integer, parameter :: mgdt_periodic_option_memory_limit = 30
 
     ! Numbers.
     ! Points that were inserted.
-    integer, parameter :: mgdt_periodic_given_points = 10
-    ! Memory that the handle holds.
-    integer, parameter :: mgdt_periodic_memory_bytes = 15
-    ! The number of vectors.
-    integer, parameter :: mgdt_periodic_dimensions = 16
+    integer, parameter :: mgdt_periodic_stat_points = 100
     ! Points without equal images.
-    integer, parameter :: mgdt_periodic_vertices = 20
+    integer, parameter :: mgdt_periodic_stat_vertices = 101
     ! Classes of tetrahedra. With three vectors, a set has as many edges as vertices and tetrahedra
     ! together.
-    integer, parameter :: mgdt_periodic_tetrahedra = 21
+    integer, parameter :: mgdt_periodic_stat_tetrahedra = 102
     ! Classes of edges.
-    integer, parameter :: mgdt_periodic_edges = 22
-    ! Images that were triangulated with the points.
-    integer, parameter :: mgdt_periodic_images = 23
-    ! Rounds in which these were found.
-    integer, parameter :: mgdt_periodic_rounds = 24
+    integer, parameter :: mgdt_periodic_stat_edges = 103
+    ! The number of vectors.
+    integer, parameter :: mgdt_periodic_stat_dimensions = 104
+    ! Memory that the handle holds.
+    integer, parameter :: mgdt_periodic_stat_memory_bytes = 110
+    ! Images that were triangulated with the points. May be 0 in later versions.
+    integer, parameter :: mgdt_periodic_stat_images = 120
+    ! Rounds in which these were found. May be 0 in later versions.
+    integer, parameter :: mgdt_periodic_stat_rounds = 121
 
     ! Arrays.
     ! For each point the vertex that has its images: the least point that has them.
-    integer, parameter :: mgdt_periodic_array_point_map = 10
-    ! The offset of that vertex's image that is the point. 0 for a point that is its own vertex.
-    integer, parameter :: mgdt_periodic_array_point_offsets = 11
+    integer, parameter :: mgdt_periodic_array_point_map = 200
+    ! The shift of that vertex's image that is the point. 0 for a point that is its own vertex.
+    integer, parameter :: mgdt_periodic_array_point_shifts = 201
     ! Four corners for each class of tetrahedra, positively oriented as in mgdt_get_tetrahedra().
     ! The first is the one whose image has the lexicographically least coordinates, and the
     ! tetrahedra are sorted by their first corners. Empty if a slab or a wire does not span space.
-    integer, parameter :: mgdt_periodic_array_tetrahedra = 20
-    ! The offset of each corner, 12 elements for a tetrahedron. The first corner's is 0.
-    integer, parameter :: mgdt_periodic_array_offsets = 21
+    integer, parameter :: mgdt_periodic_array_tetrahedra = 210
+    ! The shift of each corner, 12 elements for a tetrahedron. The first corner's is 0.
+    integer, parameter :: mgdt_periodic_array_tetrahedron_shifts = 211
     ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. The index base -
     ! 1 means that there is none: the facet is on the hull of a slab or a wire.
-    integer, parameter :: mgdt_periodic_array_neighbors = 22
-    ! For each of these the offset by which the neighbour is moved to be there, 12 elements for a
-    ! tetrahedron. It is added to the offsets of the neighbour's corners.
-    integer, parameter :: mgdt_periodic_array_neighbor_offsets = 23
-    ! Where the list of each point's neighbours begins, and the end of the last one: the list of
-    ! point i is from element starts[i] to element starts[i + 1] - 1, counted from the index base. A
-    ! point that is no vertex has an empty list.
-    integer, parameter :: mgdt_periodic_array_vertex_neighbor_starts = 30
+    integer, parameter :: mgdt_periodic_array_neighbors = 212
+    ! For each of these the shift by which the neighbour is moved to be there, 12 elements for a
+    ! tetrahedron. It is added to the shifts of the neighbour's corners.
+    integer, parameter :: mgdt_periodic_array_neighbor_shifts = 213
+    ! Offsets of the lists of each point's neighbours, one more than there are points: the list of
+    ! point i is from element offsets[i] to element offsets[i + 1] - 1, counted from the index base.
+    ! A point that is no vertex has an empty list.
+    integer, parameter :: mgdt_periodic_array_vertex_neighbor_offsets = 220
     ! The points at the other ends of the edges at each vertex, sorted. A vertex may have several
     ! images of one point as neighbours, and images of itself.
-    integer, parameter :: mgdt_periodic_array_vertex_neighbors = 31
-    ! The offset of each of these images.
-    integer, parameter :: mgdt_periodic_array_vertex_neighbor_offsets = 32
+    integer, parameter :: mgdt_periodic_array_vertex_neighbors = 221
+    ! The shift of each of these images.
+    integer, parameter :: mgdt_periodic_array_vertex_neighbor_shifts = 222
     ! Three coordinates of each point: where the caller has put it, rounded.
-    integer, parameter :: mgdt_periodic_array_points = 50
+    integer, parameter :: mgdt_periodic_array_points = 300
     ! Three coordinates of each vector, rounded.
-    integer, parameter :: mgdt_periodic_array_vectors = 51
+    integer, parameter :: mgdt_periodic_array_vectors = 301
 end module mgdt_constants

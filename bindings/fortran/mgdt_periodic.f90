@@ -6,7 +6,7 @@
 ! number and array is.
 !
 ! The conventions are those of module mgdt: stat= and errmsg= as ALLOCATE has them, numbers from 1
-! (set_option(mgdt_periodic_index_base, 0) for 0). Arrays are allocated by the call that fills them.
+! (set_option(mgdt_periodic_option_index_base, 0) for 0). Arrays are allocated by the call that fills them.
 ! Since 1.3.
 module mgdt_periodic
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_int32_t, c_int64_t, &
@@ -21,15 +21,17 @@ module mgdt_periodic
 
     public :: mgdt_periodic_box, mgdt_progress
     ! The constants; mgdt_constants.f90 says what they mean.
-    public :: mgdt_periodic_index_base, mgdt_periodic_threads, mgdt_periodic_memory_limit
-    public :: mgdt_periodic_given_points, mgdt_periodic_memory_bytes, mgdt_periodic_dimensions, &
-              mgdt_periodic_vertices, mgdt_periodic_tetrahedra, mgdt_periodic_edges, &
-              mgdt_periodic_images, mgdt_periodic_rounds
-    public :: mgdt_periodic_array_point_map, mgdt_periodic_array_point_offsets, &
-              mgdt_periodic_array_tetrahedra, mgdt_periodic_array_offsets, &
-              mgdt_periodic_array_neighbors, mgdt_periodic_array_neighbor_offsets, &
-              mgdt_periodic_array_vertex_neighbor_starts, mgdt_periodic_array_vertex_neighbors, &
-              mgdt_periodic_array_vertex_neighbor_offsets, mgdt_periodic_array_points, &
+    public :: mgdt_periodic_option_index_base, mgdt_periodic_option_threads, &
+              mgdt_periodic_option_memory_limit
+    public :: mgdt_periodic_stat_points, mgdt_periodic_stat_vertices, &
+              mgdt_periodic_stat_tetrahedra, mgdt_periodic_stat_edges, &
+              mgdt_periodic_stat_dimensions, mgdt_periodic_stat_memory_bytes, &
+              mgdt_periodic_stat_images, mgdt_periodic_stat_rounds
+    public :: mgdt_periodic_array_point_map, mgdt_periodic_array_point_shifts, &
+              mgdt_periodic_array_tetrahedra, mgdt_periodic_array_tetrahedron_shifts, &
+              mgdt_periodic_array_neighbors, mgdt_periodic_array_neighbor_shifts, &
+              mgdt_periodic_array_vertex_neighbor_offsets, mgdt_periodic_array_vertex_neighbors, &
+              mgdt_periodic_array_vertex_neighbor_shifts, mgdt_periodic_array_points, &
               mgdt_periodic_array_vectors
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
@@ -44,20 +46,23 @@ module mgdt_periodic
         type(c_ptr) :: handle = c_null_ptr
         type(progress_box), pointer :: progress => null()
     contains
-        procedure :: create, is_created, destroy, clear, cancel, build, check, c_handle
+        procedure :: create, clear, cancel, build, check, statistic
         procedure :: set_progress, remove_progress
         procedure, private :: set_option_i32, set_option_i64
         generic :: set_option => set_option_i32, set_option_i64
+        procedure :: get_option
         procedure, private :: insert_points_1, insert_points_2
         generic :: insert_points => insert_points_1, insert_points_2
         procedure, private :: move_all, move_some_i32, move_some_i64
         generic :: move_points => move_all, move_some_i32, move_some_i64
         procedure :: set_merge_distance, merge_distance
-        procedure :: get_option, number, array_size
+        procedure :: array_size
+        procedure, nopass :: columns
         procedure, private :: get_i32_1, get_i32_2, get_i32_3, get_i64_1, get_i64_2, get_i64_3, get_real_1, get_real_2
         generic :: get => get_i32_1, get_i32_2, get_i32_3, get_i64_1, get_i64_2, get_i64_3, get_real_1, get_real_2
         procedure, private :: get_cell_measures_1, get_cell_measures_2
         generic :: get_cell_measures => get_cell_measures_1, get_cell_measures_2
+        procedure :: is_created, destroy, c_handle
         procedure, private :: assign
         generic :: assignment(=) => assign
         final :: finalize
@@ -84,7 +89,7 @@ contains
         made = c_null_ptr
         status = c_periodic_create(size(vectors, 2, kind=c_int32_t), vectors, made)
         if (status == mgdt_ok) status = c_periodic_set_option(made, &
-            int(mgdt_periodic_index_base, c_int32_t), 1_c_int64_t)
+            int(mgdt_periodic_option_index_base, c_int32_t), 1_c_int64_t)
         if (status == mgdt_ok .and. c_associated(self%handle)) &
             status = c_periodic_set_progress(self%handle, c_null_funptr, c_null_ptr)
         if (status == mgdt_ok) then
@@ -95,13 +100,6 @@ contains
         end if
         call report('create', status, c_text(c_status_string(status)), stat, errmsg)
     end subroutine
-
-    pure function is_created(self)
-        class(mgdt_periodic_box), intent(in) :: self
-        logical :: is_created
-
-        is_created = c_associated(self%handle)
-    end function
 
     ! Frees everything. In a callback of its own nothing is freed.
     subroutine destroy(self)
@@ -119,6 +117,13 @@ contains
         call self%destroy()
     end subroutine
 
+    pure function is_created(self)
+        class(mgdt_periodic_box), intent(in) :: self
+        logical :: is_created
+
+        is_created = c_associated(self%handle)
+    end function
+
     ! Intrinsic assignment would leave two owners of one handle.
     subroutine assign(self, other)
         class(mgdt_periodic_box), intent(inout) :: self
@@ -131,7 +136,7 @@ contains
         end if
     end subroutine
 
-    ! The handle, for C's functions; null before create. The box still owns it.
+    ! The handle, for C's functions; null if there is none. The box still owns it.
     function c_handle(self) result(handle)
         class(mgdt_periodic_box), intent(in) :: self
         type(c_ptr) :: handle
@@ -175,7 +180,7 @@ contains
         call finish(self, 'check', c_periodic_check(self%handle), stat, errmsg)
     end subroutine
 
-    ! Hears of the build, and may stop it.
+    ! Hears of the calls that take long, and may stop them.
     subroutine set_progress(self, heard, stat, errmsg)
         class(mgdt_periodic_box), intent(inout) :: self
         procedure(mgdt_progress) :: heard
@@ -202,35 +207,37 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = c_periodic_set_progress(self%handle, c_null_funptr, c_null_ptr)
+        status = mgdt_ok
+        if (.true.) &
+            status = c_periodic_set_progress(self%handle, c_null_funptr, c_null_ptr)
         if (status == mgdt_ok .and. associated(self%progress)) deallocate (self%progress)
         call finish(self, 'remove_progress', status, stat, errmsg)
     end subroutine
 
-    ! option is mgdt_periodic_index_base, _threads or _memory_limit.
+    ! option is an mgdt_periodic_option_ constant.
     subroutine set_option_i32(self, option, value, stat, errmsg)
         class(mgdt_periodic_box), intent(inout) :: self
         integer, intent(in) :: option
         integer(int32), intent(in) :: value
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call finish(self, 'set_option', &
-                    c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t)), &
-                    stat, errmsg)
+        status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call finish(self, 'set_option', status, stat, errmsg)
     end subroutine
 
-    ! option is mgdt_periodic_index_base, _threads or _memory_limit.
+    ! option is an mgdt_periodic_option_ constant.
     subroutine set_option_i64(self, option, value, stat, errmsg)
         class(mgdt_periodic_box), intent(inout) :: self
         integer, intent(in) :: option
         integer(int64), intent(in) :: value
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call finish(self, 'set_option', &
-                    c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t)), &
-                    stat, errmsg)
+        status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call finish(self, 'set_option', status, stat, errmsg)
     end subroutine
 
     ! The value of an option.
@@ -247,8 +254,8 @@ contains
         call finish(self, 'get_option', status, stat, errmsg)
     end function
 
-    ! One of the numbers: mgdt_periodic_tetrahedra, for example.
-    function number(self, key, stat, errmsg) result(value)
+    ! One of the numbers, by an mgdt_periodic_stat_ constant.
+    function statistic(self, key, stat, errmsg) result(value)
         class(mgdt_periodic_box), intent(in) :: self
         integer, intent(in) :: key
         integer, intent(out), optional :: stat
@@ -258,7 +265,7 @@ contains
 
         value = 0
         status = c_periodic_get_stat(self%handle, to_c(key), value)
-        call finish(self, 'number', status, stat, errmsg)
+        call finish(self, 'statistic', status, stat, errmsg)
     end function
 
     ! The distance within which points become equal in later builds; 0 for none.
@@ -382,7 +389,8 @@ contains
                     c_periodic_move_points_i64(self%handle, n, c_loc(listed), xyz), stat, errmsg)
     end subroutine
 
-    ! Number of elements of an array: an mgdt_periodic_array_ constant.
+    ! Arrays of shifts of tetrahedra have a third form: values(3, 4, n).
+    ! Number of elements of an array, by an mgdt_periodic_array_ constant.
     function array_size(self, array, stat, errmsg) result(elements)
         class(mgdt_periodic_box), intent(in) :: self
         integer, intent(in) :: array
@@ -396,8 +404,19 @@ contains
         call finish(self, 'array_size', status, stat, errmsg)
     end function
 
-    ! An array, which is allocated: values(n); or values(4, n) for corners and neighbours and
-    ! values(3, n) for offsets, points and vectors; or values(3, 4, n) for the offsets of tetrahedra.
+    ! How many elements of an array belong together; 0 if there is no such array.
+    function columns(array)
+        integer, intent(in) :: array
+        integer :: columns
+        integer(c_int32_t) :: found, is_double
+
+        found = 0
+        is_double = 0
+        if (c_periodic_array_info(to_c(array), found, is_double) /= mgdt_ok) found = 0
+        columns = found
+    end function
+
+    ! An array, which is allocated: values(n), or values(columns, n / columns).
     subroutine get_i32_1(self, array, values, stat, errmsg)
         class(mgdt_periodic_box), intent(in) :: self
         integer, intent(in) :: array
@@ -433,16 +452,18 @@ contains
         integer(int32), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (width(array) == 1) then
+        width = columns(array)
+        if (width == 1) then
             call refuse('get', 'the array has one dimension', stat, errmsg)
             return
         end if
+        width = max(width, 1)
         n = 0
         status = c_periodic_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
+            allocate (found(width, n/width), stat=failed)
             if (failed /= 0) then
                 call no_memory('get', stat, errmsg)
                 return
@@ -465,8 +486,7 @@ contains
         integer(c_int32_t) :: status
         integer :: failed
 
-        if (array /= mgdt_periodic_array_offsets .and. &
-            array /= mgdt_periodic_array_neighbor_offsets) then
+        if (columns(array) /= 12) then
             call refuse('get', 'the array does not have three dimensions', stat, errmsg)
             return
         end if
@@ -520,16 +540,18 @@ contains
         integer(int64), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (width(array) == 1) then
+        width = columns(array)
+        if (width == 1) then
             call refuse('get', 'the array has one dimension', stat, errmsg)
             return
         end if
+        width = max(width, 1)
         n = 0
         status = c_periodic_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
+            allocate (found(width, n/width), stat=failed)
             if (failed /= 0) then
                 call no_memory('get', stat, errmsg)
                 return
@@ -552,8 +574,7 @@ contains
         integer(c_int32_t) :: status
         integer :: failed
 
-        if (array /= mgdt_periodic_array_offsets .and. &
-            array /= mgdt_periodic_array_neighbor_offsets) then
+        if (columns(array) /= 12) then
             call refuse('get', 'the array does not have three dimensions', stat, errmsg)
             return
         end if
@@ -607,16 +628,18 @@ contains
         real(real64), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (width(array) == 1) then
+        width = columns(array)
+        if (width == 1) then
             call refuse('get', 'the array has one dimension', stat, errmsg)
             return
         end if
+        width = max(width, 1)
         n = 0
         status = c_periodic_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
+            allocate (found(width, n/width), stat=failed)
             if (failed /= 0) then
                 call no_memory('get', stat, errmsg)
                 return
@@ -655,22 +678,6 @@ contains
                                                  size(x, kind=c_int64_t), x), stat, errmsg)
     end subroutine
 
-    pure function width(array)
-        integer, intent(in) :: array
-        integer :: width
-
-        select case (array)
-        case (mgdt_periodic_array_tetrahedra, mgdt_periodic_array_neighbors)
-            width = 4
-        case (mgdt_periodic_array_point_offsets, mgdt_periodic_array_offsets, &
-              mgdt_periodic_array_neighbor_offsets, mgdt_periodic_array_vertex_neighbor_offsets, &
-              mgdt_periodic_array_points, mgdt_periodic_array_vectors)
-            width = 3
-        case default
-            width = 1
-        end select
-    end function
-
     function has_rows(procedure, xyz, stat, errmsg) result(has)
         character(*), intent(in) :: procedure
         real(real64), intent(in) :: xyz(:, :)
@@ -708,7 +715,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call finish_on(self%handle, 'box', c_periodic_get_error, mgdt_err_index_range, procedure, status, &
-                       stat, errmsg)
+        call finish_on(self%handle, 'box', c_periodic_get_error, mgdt_err_index_range, procedure, &
+                       status, stat, errmsg)
     end subroutine
 end module mgdt_periodic

@@ -20,7 +20,7 @@ subroutine mgbnew(nv, vec, h, ierr)
     if (integers_differ(h, ierr, nv)) return
     ierr = c_periodic_create(to_c(nv), vec, pointer)
     if (ierr == mgdt_ok) &
-        ierr = c_periodic_set_option(pointer, to_c(mgdt_periodic_index_base), 1_c_int64_t)
+        ierr = c_periodic_set_option(pointer, to_c(mgdt_periodic_option_index_base), 1_c_int64_t)
     call pack_handle(pointer, h, of_periodic)
 end subroutine
 
@@ -110,7 +110,7 @@ subroutine mgbprg(h, sub, ierr)
     integer, intent(out) :: ierr
 
     ierr = c_periodic_set_progress(handle_of(h, of_periodic), c_funloc(relay), &
-                                   transfer(c_funloc(sub), c_null_ptr))
+                                transfer(c_funloc(sub), c_null_ptr))
 end subroutine
 
 ! No progress any more.
@@ -197,7 +197,7 @@ subroutine mgbchk(h, ierr)
     ierr = c_periodic_check(handle_of(h, of_periodic))
 end subroutine
 
-! One of the numbers MGBGPT to MGBNRO.
+! One of the numbers MGBNPT to MGBNRO.
 subroutine mgbnum(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -209,6 +209,21 @@ subroutine mgbnum(h, key, n, ierr)
 
     ierr = c_periodic_get_stat(handle_of(h, of_periodic), to_c(key), found)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_periodic), n, ierr)
+end subroutine
+
+! The shape of array KEY: NCOL numbers belong together, and IREAL is 1 if they are reals, otherwise 0.
+subroutine mgbinf(key, ncol, ireal, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: key
+    integer, intent(inout) :: ncol, ireal
+    integer, intent(out) :: ierr
+    integer(c_int32_t) :: columns_of, is_double
+
+    ierr = c_periodic_array_info(to_c(key), columns_of, is_double)
+    if (ierr /= mgdt_ok) return
+    ncol = columns_of
+    ireal = is_double
 end subroutine
 
 ! Number of elements N of array KEY, MGBMAP to MGBVEC.
@@ -225,7 +240,7 @@ subroutine mgbsiz(h, key, n, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_periodic), n, ierr)
 end subroutine
 
-! Array KEY of integers, MGBMAP to MGBVOF: IARR(MAXN).
+! Array KEY of integers, MGBMAP to MGBVSH: IARR(MAXN).
 subroutine mgbarr(h, key, maxn, iarr, ierr)
     use mgdt_f77_support
     implicit none
@@ -270,7 +285,7 @@ subroutine mgbcel(h, meas, maxn, x, ierr)
             int(maxn, c_int64_t), x)
 end subroutine
 
-! Makes the Voronoi diagram HV of the points, which MGVSIZ and the other subroutines of diagrams
+! Makes the Voronoi diagram HV of the points, which MGYSIZ and the other subroutines of diagrams
 ! take. HV is not the handle of another diagram.
 subroutine mgbvor(h, hv, ierr)
     use mgdt_f77_support

@@ -21,14 +21,18 @@ module mgdt_voronoi
 
     public :: mgdt_voronoi_diagram
     ! The constants; mgdt_constants.f90 says what they mean.
-    public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
-              mgdt_voronoi_face_images, mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, &
-              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_cell_neighbors, &
-              mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
-              mgdt_voronoi_ray_directions, mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, &
-              mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
-              mgdt_voronoi_cell_centroids, mgdt_voronoi_cell_face_areas, &
-              mgdt_voronoi_cell_neighbor_distances
+    public :: mgdt_voronoi_stat_vertices, mgdt_voronoi_stat_rays, mgdt_voronoi_stat_faces, &
+              mgdt_voronoi_stat_points, mgdt_voronoi_stat_memory_bytes
+    public :: mgdt_voronoi_array_face_offsets, mgdt_voronoi_array_face_corners, &
+              mgdt_voronoi_array_face_sides, mgdt_voronoi_array_face_shifts, &
+              mgdt_voronoi_array_ray_vertices, mgdt_voronoi_array_cell_offsets, &
+              mgdt_voronoi_array_cell_faces, mgdt_voronoi_array_cell_bounded, &
+              mgdt_voronoi_array_cell_neighbors, mgdt_voronoi_array_cell_neighbor_shifts, &
+              mgdt_voronoi_array_vertices, mgdt_voronoi_array_ray_directions, &
+              mgdt_voronoi_array_face_areas, mgdt_voronoi_array_face_normals, &
+              mgdt_voronoi_array_face_centroids, mgdt_voronoi_array_cell_volumes, &
+              mgdt_voronoi_array_cell_centroids, mgdt_voronoi_array_cell_face_areas, &
+              mgdt_voronoi_array_cell_neighbor_distances
 
     ! A diagram, which does not change with the triangulation that it was made from. It frees what
     ! it holds when it goes out of scope. It cannot be copied.
@@ -38,9 +42,12 @@ module mgdt_voronoi
     contains
         procedure, private :: create_of_points, create_of_box
         generic :: create => create_of_points, create_of_box
-        procedure :: is_created, destroy, array_size, drop_small_faces, c_handle
+        procedure :: own, statistic, drop_small_faces
+        procedure :: array_size
+        procedure, nopass :: columns
         procedure, private :: get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
         generic :: get => get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
+        procedure :: is_created, destroy, c_handle
         procedure, private :: assign
         generic :: assignment(=) => assign
         final :: finalize
@@ -82,10 +89,7 @@ contains
         if (status /= mgdt_ok) message = last_message(borrowed)
         if (status /= mgdt_ok .and. message == '') message = c_text(c_status_string(status))
         if (.not. c_associated(owned)) call c_destroy(borrowed)
-        if (status == mgdt_ok) then
-            call c_voronoi_destroy(self%handle)
-            self%handle = made
-        end if
+        if (status == mgdt_ok) call self%own(made)
         call report('create', status, message, stat, errmsg)
     end subroutine
 
@@ -100,21 +104,21 @@ contains
 
         made = c_null_ptr
         status = c_periodic_create_voronoi(box%c_handle(), made)
-        if (status == mgdt_ok) then
-            call c_voronoi_destroy(self%handle)
-            self%handle = made
-        end if
+        if (status == mgdt_ok) call self%own(made)
         call finish_on(box%c_handle(), 'box', c_periodic_get_error, mgdt_err_index_range, 'create', &
                        status, stat, errmsg)
     end subroutine
 
-    pure function is_created(self)
-        class(mgdt_voronoi_diagram), intent(in) :: self
-        logical :: is_created
+    ! Takes a handle of C's, such as one of mgdt_voronoi_create(), and frees what there was before.
+    subroutine own(self, handle)
+        class(mgdt_voronoi_diagram), intent(inout) :: self
+        type(c_ptr), intent(in) :: handle
 
-        is_created = c_associated(self%handle)
-    end function
+        call self%destroy()
+        self%handle = handle
+    end subroutine
 
+    ! Frees everything.
     subroutine destroy(self)
         class(mgdt_voronoi_diagram), intent(inout) :: self
 
@@ -128,6 +132,13 @@ contains
         call self%destroy()
     end subroutine
 
+    pure function is_created(self)
+        class(mgdt_voronoi_diagram), intent(in) :: self
+        logical :: is_created
+
+        is_created = c_associated(self%handle)
+    end function
+
     ! Intrinsic assignment would leave two owners of one handle.
     subroutine assign(self, other)
         class(mgdt_voronoi_diagram), intent(inout) :: self
@@ -140,7 +151,7 @@ contains
         end if
     end subroutine
 
-    ! The handle, for C's functions. The diagram still owns it.
+    ! The handle, for C's functions; null if there is none. The diagram still owns it.
     function c_handle(self) result(handle)
         class(mgdt_voronoi_diagram), intent(in) :: self
         type(c_ptr) :: handle
@@ -148,21 +159,47 @@ contains
         handle = self%handle
     end function
 
-    ! Number of elements of an array: an mgdt_voronoi_ constant.
+    ! One of the numbers, by an mgdt_voronoi_stat_ constant.
+    function statistic(self, key, stat, errmsg) result(value)
+        class(mgdt_voronoi_diagram), intent(in) :: self
+        integer, intent(in) :: key
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(int64) :: value
+        integer(c_int32_t) :: status
+
+        value = 0
+        status = c_voronoi_get_stat(self%handle, to_c(key), value)
+        call finish(self, 'statistic', status, stat, errmsg)
+    end function
+
+    ! Number of elements of an array, by an mgdt_voronoi_array_ constant.
     function array_size(self, array, stat, errmsg) result(elements)
         class(mgdt_voronoi_diagram), intent(in) :: self
         integer, intent(in) :: array
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(int64) :: elements
+        integer(c_int32_t) :: status
 
         elements = 0
-        call finish(self, 'array_size', c_voronoi_get_size(self%handle, to_c(array), elements), &
-                    stat, errmsg)
+        status = c_voronoi_get_size(self%handle, to_c(array), elements)
+        call finish(self, 'array_size', status, stat, errmsg)
     end function
 
-    ! An array, which is allocated: values(n); or values(2, n) for the sides of faces, and
-    ! values(3, n) for what has three coordinates.
+    ! How many elements of an array belong together; 0 if there is no such array.
+    function columns(array)
+        integer, intent(in) :: array
+        integer :: columns
+        integer(c_int32_t) :: found, is_double
+
+        found = 0
+        is_double = 0
+        if (c_voronoi_array_info(to_c(array), found, is_double) /= mgdt_ok) found = 0
+        columns = found
+    end function
+
+    ! An array, which is allocated: values(n), or values(columns, n / columns).
     subroutine get_i32_1(self, array, values, stat, errmsg)
         class(mgdt_voronoi_diagram), intent(in) :: self
         integer, intent(in) :: array
@@ -178,10 +215,13 @@ contains
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
             allocate (found(n), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_array_i32( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_array_i32(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
@@ -195,17 +235,25 @@ contains
         integer(int32), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (.not. has_rows(self, array, stat, errmsg)) return
+        width = columns(array)
+        if (width == 1) then
+            call refuse('get', 'the array has one dimension', stat, errmsg)
+            return
+        end if
+        width = max(width, 1)
         n = 0
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            allocate (found(width, n/width), stat=failed)
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_array_i32( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_array_i32(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
@@ -225,10 +273,13 @@ contains
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
             allocate (found(n), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_array_i64( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_array_i64(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
@@ -242,17 +293,25 @@ contains
         integer(int64), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (.not. has_rows(self, array, stat, errmsg)) return
+        width = columns(array)
+        if (width == 1) then
+            call refuse('get', 'the array has one dimension', stat, errmsg)
+            return
+        end if
+        width = max(width, 1)
         n = 0
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            allocate (found(width, n/width), stat=failed)
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_array_i64( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_array_i64(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
@@ -272,10 +331,13 @@ contains
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
             allocate (found(n), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_doubles( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_doubles(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
@@ -289,74 +351,68 @@ contains
         real(real64), allocatable :: found(:, :)
         integer(c_int64_t) :: n
         integer(c_int32_t) :: status
-        integer :: failed
+        integer :: width, failed
 
-        if (.not. has_rows(self, array, stat, errmsg)) return
+        width = columns(array)
+        if (width == 1) then
+            call refuse('get', 'the array has one dimension', stat, errmsg)
+            return
+        end if
+        width = max(width, 1)
         n = 0
         status = c_voronoi_get_size(self%handle, to_c(array), n)
         if (status == mgdt_ok) then
-            allocate (found(width(array), n/width(array)), stat=failed)
-            if (failed /= 0) status = mgdt_err_out_of_memory
+            allocate (found(width, n/width), stat=failed)
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_voronoi_get_doubles( &
+                self%handle, to_c(array), n, found)
         end if
-        if (status == mgdt_ok) &
-            status = c_voronoi_get_doubles(self%handle, to_c(array), n, found)
         if (status == mgdt_ok) call move_alloc(found, values)
         call finish(self, 'get', status, stat, errmsg)
     end subroutine
 
-    ! Leaves out the faces whose area is less than `area`, or, for each of their cells, less than
-    ! `relative` times the area of the cell's bounded faces.
-    subroutine drop_small_faces(self, area, relative, stat, errmsg)
+    ! Leaves out the faces whose area is less than `least_area`, or, for each of their cells, less than
+    ! `least_share` times the area of the cell's bounded faces.
+    subroutine drop_small_faces(self, least_area, least_share, stat, errmsg)
         class(mgdt_voronoi_diagram), intent(inout) :: self
-        real(real64), intent(in) :: area, relative
+        real(real64), intent(in) :: least_area, least_share
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = c_voronoi_drop_small_faces(self%handle, area, relative)
+        status = c_voronoi_drop_small_faces(self%handle, least_area, least_share)
         call finish(self, 'drop_small_faces', status, stat, errmsg)
     end subroutine
 
-    ! Whether an array has several numbers for each vertex, ray, face or cell.
-    function has_rows(self, array, stat, errmsg) result(has)
-        class(mgdt_voronoi_diagram), intent(in) :: self
-        integer, intent(in) :: array
+    subroutine refuse(procedure, reason, stat, errmsg)
+        character(*), intent(in) :: procedure, reason
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        logical :: has
 
-        has = width(array) > 1
-        if (.not. has) &
-            call finish(self, 'get', int(mgdt_err_invalid_argument, c_int32_t), stat, errmsg, &
-                        'the array has one dimension')
-    end function
+        call report(procedure, int(mgdt_err_invalid_argument, c_int32_t), reason, stat, errmsg)
+    end subroutine
 
-    pure function width(array)
-        integer, intent(in) :: array
-        integer :: width
+    subroutine no_memory(procedure, stat, errmsg)
+        character(*), intent(in) :: procedure
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
 
-        select case (array)
-        case (mgdt_voronoi_face_sides)
-            width = 2
-        case (mgdt_voronoi_face_images, mgdt_voronoi_cell_neighbor_images, mgdt_voronoi_vertices, &
-              mgdt_voronoi_ray_directions, mgdt_voronoi_face_normals, &
-              mgdt_voronoi_face_centroids, mgdt_voronoi_cell_centroids)
-            width = 3
-        case default
-            width = 1
-        end select
-    end function
+        call report(procedure, int(mgdt_err_out_of_memory, c_int32_t), &
+                    c_text(c_status_string(int(mgdt_err_out_of_memory, c_int32_t))), stat, errmsg)
+    end subroutine
 
     ! The end of a call.
-    subroutine finish(self, procedure, status, stat, errmsg, reason)
+    subroutine finish(self, procedure, status, stat, errmsg)
         class(mgdt_voronoi_diagram), intent(in) :: self
         character(*), intent(in) :: procedure
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        character(*), intent(in), optional :: reason
 
-        call finish_on(self%handle, 'diagram', c_voronoi_get_error, mgdt_err_out_of_memory, procedure, status, stat, &
-                       errmsg, reason)
+        call finish_on(self%handle, 'diagram', c_voronoi_get_error, mgdt_err_index_range, procedure, &
+                       status, stat, errmsg)
     end subroutine
 end module mgdt_voronoi

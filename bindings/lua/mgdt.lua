@@ -456,7 +456,7 @@ jit.off(Triangulation.cell_measures)
 
 --- The Voronoi diagram of the points, as a table of arrays. Those of integers are int32_t:
 --- face_offsets, face_corners, face_sides ([k][0] and [k][1]), ray_vertices, cell_offsets, cell_faces,
---- cell_bounded, cell_neighbors (and face_images and cell_neighbor_images, of periodic boxes only). Those of
+--- cell_bounded, cell_neighbors (and face_shifts and cell_neighbor_shifts, of periodic boxes only). Those of
 --- doubles are vertices, ray_directions, face_areas, face_normals, face_centroids, cell_volumes,
 --- cell_centroids, cell_face_areas and cell_neighbor_distances; where there are three coordinates, they are [k][0]
 --- to [k][2]. vertex_count, ray_count, face_count and cell_count say how many there are.

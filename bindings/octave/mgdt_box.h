@@ -16,31 +16,7 @@ static void close_box(void) {
     box = NULL;
 }
 
-static void ensure_box(mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    mgdt.periodic_get_error(box, (int64_t)sizeof message, message);
-    close_box();
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
-static mxArray* array_of_box(int32_t key, int width) {
-    int64_t count = 0;
-    mxArray* result;
-    ensure_box(mgdt.periodic_get_size(box, key, &count));
-    if (key < MGDT_PERIODIC_ARRAY_POINTS) {
-        int64_t* const v = room(count, sizeof *v);
-        ensure_box(mgdt.periodic_get_array(box, key, count, v));
-        result = rows(v, count / width, width);
-        mxFree(v);
-    } else {
-        double* const x = room(count, sizeof *x);
-        ensure_box(mgdt.periodic_get_doubles(box, key, count, x));
-        result = rows_of_doubles(x, count / width, width);
-        mxFree(x);
-    }
-    return result;
-}
+DEFINE_READER(box, periodic, close_box)
 
 static mxArray* measures_of_box(int32_t measure, int64_t n) {
     const int width = measure == MGDT_MEASURE_CENTROID ? 3 : 1;
@@ -59,18 +35,17 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     static const struct {
         const char* name;
         int32_t key;
-        int width;
-    } arrays[] = {{"points", MGDT_PERIODIC_ARRAY_POINTS, 3},
-                  {"vectors", MGDT_PERIODIC_ARRAY_VECTORS, 3},
-                  {"point_map", MGDT_PERIODIC_ARRAY_POINT_MAP, 1},
-                  {"point_offsets", MGDT_PERIODIC_ARRAY_POINT_OFFSETS, 3},
-                  {"tetrahedra", MGDT_PERIODIC_ARRAY_TETRAHEDRA, 4},
-                  {"offsets", MGDT_PERIODIC_ARRAY_OFFSETS, 12},
-                  {"neighbours", MGDT_PERIODIC_ARRAY_NEIGHBORS, 4},
-                  {"neighbour_offsets", MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS, 12},
-                  {"vertex_neighbour_starts", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS, 1},
-                  {"vertex_neighbours", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, 1},
-                  {"vertex_neighbour_offsets", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS, 3}};
+    } arrays[] = {{"points", MGDT_PERIODIC_ARRAY_POINTS},
+                  {"vectors", MGDT_PERIODIC_ARRAY_VECTORS},
+                  {"point_map", MGDT_PERIODIC_ARRAY_POINT_MAP},
+                  {"point_shifts", MGDT_PERIODIC_ARRAY_POINT_SHIFTS},
+                  {"tetrahedra", MGDT_PERIODIC_ARRAY_TETRAHEDRA},
+                  {"shifts", MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS},
+                  {"neighbours", MGDT_PERIODIC_ARRAY_NEIGHBORS},
+                  {"neighbour_shifts", MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS},
+                  {"vertex_neighbour_offsets", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS},
+                  {"vertex_neighbours", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS},
+                  {"vertex_neighbour_shifts", MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS}};
     static const struct {
         const char* name;
         int32_t key;
@@ -109,9 +84,9 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     if (status == MGDT_ERR_INVALID_ARGUMENT)
         bad_argument("the vectors of the box do not span, or hardly");
     ensure(NULL, status);
-    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_INDEX_BASE, 1));
-    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_THREADS, threads));
-    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_MEMORY_LIMIT, limit));
+    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_INDEX_BASE, 1));
+    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_THREADS, threads));
+    ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, limit));
     ensure_box(mgdt.periodic_set_merge_distance(box, distance));
     ensure_box(mgdt.periodic_insert_points(box, n, xyz));
     if (!mxIsEmpty(given[4])) {
@@ -132,8 +107,7 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     for (k = 0; is_measured && k < n_measures; ++k) names[fields++] = measures[k].name;
     if (has_cells) names[fields++] = "cells";
     result = mxCreateStructMatrix(1, 1, fields, names);
-    for (k = 0; k < n_arrays; ++k)
-        mxSetFieldByNumber(result, 0, k, array_of_box(arrays[k].key, arrays[k].width));
+    for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_box(arrays[k].key));
     for (k = 0; is_measured && k < n_measures; ++k)
         mxSetFieldByNumber(result, 0, n_arrays + k, measures_of_box(measures[k].key, n));
     if (has_cells) {

@@ -14,31 +14,7 @@ static void close_diagram(void) {
     diagram = NULL;
 }
 
-static void ensure_diagram(mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    mgdt.voronoi_get_error(diagram, (int64_t)sizeof message, message);
-    close_diagram();
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
-static mxArray* array_of_diagram(int32_t key, int width) {
-    int64_t count = 0;
-    mxArray* result;
-    ensure_diagram(mgdt.voronoi_get_size(diagram, key, &count));
-    if (key < MGDT_VORONOI_VERTICES) {
-        int64_t* const v = room(count, sizeof *v);
-        ensure_diagram(mgdt.voronoi_get_array(diagram, key, count, v));
-        result = rows(v, count / width, width);
-        mxFree(v);
-    } else {
-        double* const x = room(count, sizeof *x);
-        ensure_diagram(mgdt.voronoi_get_doubles(diagram, key, count, x));
-        result = rows_of_doubles(x, count / width, width);
-        mxFree(x);
-    }
-    return result;
-}
+DEFINE_READER(diagram, voronoi, close_diagram)
 
 /* The diagram in use as a struct of its arrays, with a row for each face, ray, vertex or cell,
  * without faces that are smaller. It is freed. */
@@ -46,26 +22,25 @@ static mxArray* take_diagram(double area, double share) {
     static const struct {
         const char* name;
         int32_t key;
-        int width;
-    } arrays[] = {{"vertices", MGDT_VORONOI_VERTICES, 3},
-                  {"face_offsets", MGDT_VORONOI_FACE_OFFSETS, 1},
-                  {"face_corners", MGDT_VORONOI_FACE_CORNERS, 1},
-                  {"face_sides", MGDT_VORONOI_FACE_SIDES, 2},
-                  {"face_images", MGDT_VORONOI_FACE_IMAGES, 3},
-                  {"face_areas", MGDT_VORONOI_FACE_AREAS, 1},
-                  {"face_normals", MGDT_VORONOI_FACE_NORMALS, 3},
-                  {"face_centroids", MGDT_VORONOI_FACE_CENTROIDS, 3},
-                  {"ray_vertices", MGDT_VORONOI_RAY_VERTICES, 1},
-                  {"ray_directions", MGDT_VORONOI_RAY_DIRECTIONS, 3},
-                  {"cell_offsets", MGDT_VORONOI_CELL_OFFSETS, 1},
-                  {"cell_faces", MGDT_VORONOI_CELL_FACES, 1},
-                  {"cell_bounded", MGDT_VORONOI_CELL_BOUNDED, 1},
-                  {"cell_neighbors", MGDT_VORONOI_CELL_NEIGHBORS, 1},
-                  {"cell_neighbor_images", MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, 3},
-                  {"cell_face_areas", MGDT_VORONOI_CELL_FACE_AREAS, 1},
-                  {"cell_neighbor_distances", MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, 1},
-                  {"cell_volumes", MGDT_VORONOI_CELL_VOLUMES, 1},
-                  {"cell_centroids", MGDT_VORONOI_CELL_CENTROIDS, 3}};
+    } arrays[] = {{"vertices", MGDT_VORONOI_ARRAY_VERTICES},
+                  {"face_offsets", MGDT_VORONOI_ARRAY_FACE_OFFSETS},
+                  {"face_corners", MGDT_VORONOI_ARRAY_FACE_CORNERS},
+                  {"face_sides", MGDT_VORONOI_ARRAY_FACE_SIDES},
+                  {"face_shifts", MGDT_VORONOI_ARRAY_FACE_SHIFTS},
+                  {"face_areas", MGDT_VORONOI_ARRAY_FACE_AREAS},
+                  {"face_normals", MGDT_VORONOI_ARRAY_FACE_NORMALS},
+                  {"face_centroids", MGDT_VORONOI_ARRAY_FACE_CENTROIDS},
+                  {"ray_vertices", MGDT_VORONOI_ARRAY_RAY_VERTICES},
+                  {"ray_directions", MGDT_VORONOI_ARRAY_RAY_DIRECTIONS},
+                  {"cell_offsets", MGDT_VORONOI_ARRAY_CELL_OFFSETS},
+                  {"cell_faces", MGDT_VORONOI_ARRAY_CELL_FACES},
+                  {"cell_bounded", MGDT_VORONOI_ARRAY_CELL_BOUNDED},
+                  {"cell_neighbors", MGDT_VORONOI_ARRAY_CELL_NEIGHBORS},
+                  {"cell_neighbor_shifts", MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS},
+                  {"cell_face_areas", MGDT_VORONOI_ARRAY_CELL_FACE_AREAS},
+                  {"cell_neighbor_distances", MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES},
+                  {"cell_volumes", MGDT_VORONOI_ARRAY_CELL_VOLUMES},
+                  {"cell_centroids", MGDT_VORONOI_ARRAY_CELL_CENTROIDS}};
     enum { count = sizeof arrays / sizeof *arrays };
     const char* names[count];
     mxArray* result;
@@ -73,8 +48,7 @@ static mxArray* take_diagram(double area, double share) {
     ensure_diagram(mgdt.voronoi_drop_small_faces(diagram, area, share));
     for (k = 0; k < count; ++k) names[k] = arrays[k].name;
     result = mxCreateStructMatrix(1, 1, count, names);
-    for (k = 0; k < count; ++k)
-        mxSetFieldByNumber(result, 0, k, array_of_diagram(arrays[k].key, arrays[k].width));
+    for (k = 0; k < count; ++k) mxSetFieldByNumber(result, 0, k, array_of_diagram(arrays[k].key));
     close_diagram();
     return result;
 }

@@ -99,6 +99,7 @@
     F(isa_name);                       \
     F(voronoi_create);                 \
     F(voronoi_destroy);                \
+    F(voronoi_get_stat);               \
     F(voronoi_array_info);             \
     F(voronoi_get_size);               \
     F(voronoi_get_array);              \

@@ -27,14 +27,6 @@ static void ensure_domain(mgdt_status s) {
     mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
 }
 
-static void ensure_mesh(mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    mgdt.mesh_get_error(mesh, (int64_t)sizeof message, message);
-    close_domain();
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
 static mxArray* array_of_domain(int32_t key) {
     int64_t count = 0;
     int32_t width = 1;
@@ -49,25 +41,7 @@ static mxArray* array_of_domain(int32_t key) {
     return result;
 }
 
-static mxArray* array_of_mesh(int32_t key) {
-    int64_t count = 0;
-    int32_t width = 1, is_double = 0;
-    mxArray* result;
-    mgdt.mesh_array_info(key, &width, &is_double);
-    ensure_mesh(mgdt.mesh_get_size(mesh, key, &count));
-    if (is_double) {
-        double* const x = room(count, sizeof *x);
-        ensure_mesh(mgdt.mesh_get_doubles(mesh, key, count, x));
-        result = rows_of_doubles(x, count / width, width);
-        mxFree(x);
-    } else {
-        int64_t* const v = room(count, sizeof *v);
-        ensure_mesh(mgdt.mesh_get_array(mesh, key, count, v));
-        result = rows(v, count / width, width);
-        mxFree(v);
-    }
-    return result;
-}
+DEFINE_READER(mesh, mesh, close_domain)
 
 /* As many markers as there are things that they mark, or [] for none. */
 static const int32_t* markers(const mxArray* a, const char* what, int64_t n) {

@@ -13,7 +13,7 @@
 %
 % "measures"      true for volumes, areas, centroids (from the points) and faces of the cells
 % "cells"         true for the Voronoi diagram, a struct as that of voronoi of a triangulation; its
-%                 face_images say which image of the second point a face is between
+%                 face_shifts say how often each vector is added to the second point of a face
 % "least_area"    of the diagram: faces with less are left out
 % "least_share"   likewise those with less than this share of the area of each of their cells
 % "merge_distance"  points that have images within this distance of each other become equal
@@ -22,9 +22,9 @@
 % "progress"      a function that hears of the fraction done; true cancels
 % "check"         true to prove the triangulation; mgdt:check_failed says what is wrong
 %
-% The result is a struct: points and vectors, rounded; tetrahedra and neighbours (t x 4), offsets and
-% neighbour_offsets (t x 12, three for each corner: how often each vector is added to its point);
-% point_map and point_offsets; vertex_neighbour_starts, vertex_neighbours and vertex_neighbour_offsets.
+% The result is a struct: points and vectors, rounded; tetrahedra and neighbours (t x 4), shifts and
+% neighbour_shifts (t x 12, three for each corner: how often each vector is added to its point);
+% point_map and point_shifts; vertex_neighbour_offsets, vertex_neighbours and vertex_neighbour_shifts.
 % mgdt/mgdt_periodic.h says what they mean. 0 stands for no neighbour.
 %
 % See also: mgdt_delaunay

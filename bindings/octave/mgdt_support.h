@@ -134,6 +134,36 @@ static mxArray* rows_of_doubles(const double* from, int64_t count, int64_t width
     return result;
 }
 
+/* For a handle in a static variable: ensure_HANDLE(), which ends the call with the message of a
+ * failure after close() has freed the handle, and array_of_HANDLE(), which reads an array. */
+#define DEFINE_READER(handle, kind, close)                                                  \
+    static void ensure_##handle(mgdt_status s) {                                            \
+        char message[256] = "";                                                             \
+        if (s == MGDT_OK) return;                                                           \
+        mgdt.kind##_get_error(handle, (int64_t)sizeof message, message);                    \
+        close();                                                                            \
+        mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s)); \
+    }                                                                                       \
+    static mxArray* array_of_##handle(int32_t key) {                                        \
+        int64_t count = 0;                                                                  \
+        int32_t width = 1, is_double = 0;                                                   \
+        mxArray* result;                                                                    \
+        mgdt.kind##_array_info(key, &width, &is_double);                                    \
+        ensure_##handle(mgdt.kind##_get_size(handle, key, &count));                         \
+        if (is_double) {                                                                    \
+            double* const x = room(count, sizeof *x);                                       \
+            ensure_##handle(mgdt.kind##_get_doubles(handle, key, count, x));                \
+            result = rows_of_doubles(x, count / width, width);                              \
+            mxFree(x);                                                                      \
+        } else {                                                                            \
+            int64_t* const v = room(count, sizeof *v);                                      \
+            ensure_##handle(mgdt.kind##_get_array(handle, key, count, v));                  \
+            result = rows(v, count / width, width);                                         \
+            mxFree(v);                                                                      \
+        }                                                                                   \
+        return result;                                                                      \
+    }
+
 /* ----------------------------------------------------------------------------------- progress */
 
 typedef struct {

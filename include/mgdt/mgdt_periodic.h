@@ -8,7 +8,7 @@
  * is enough if there are three vectors, and points may lie anywhere, also outside of the box.
  *
  * Tetrahedra that differ by a multiple of the vectors are one class, and each class is listed once.
- * A corner is a point and an *offset*: three integers, how often each vector has to be added to the
+ * A corner is a point and a *shift*: three integers, how often each vector has to be added to the
  * point, where the caller has put it, to get the image that is the corner. The third integer of a
  * slab is 0, and so are the second and the third of a wire.
  *
@@ -41,66 +41,68 @@ typedef struct mgdt_periodic mgdt_periodic;
 
 /** Options of mgdt_periodic_set_option(). Values are integers. */
 enum {
-    MGDT_PERIODIC_INDEX_BASE = 10, /**< 0 (default) or 1. It applies to indices that are given or
-                                        read later. */
-    MGDT_PERIODIC_THREADS = 20,    /**< Threads, see mgdt_set_threads(); default 1, 0 for all
-                                        cores. */
+    MGDT_PERIODIC_OPTION_INDEX_BASE = 10, /**< 0 (default) or 1. It applies to indices that are
+                                               given or read later. */
+    MGDT_PERIODIC_OPTION_THREADS = 20,    /**< Threads, see mgdt_set_threads(); default 1, 0 for
+                                               all cores. */
     /** Bytes that the handle may hold; 0 (default) for no limit. */
-    MGDT_PERIODIC_MEMORY_LIMIT = 30
+    MGDT_PERIODIC_OPTION_MEMORY_LIMIT = 30
 };
 
-/** Keys of mgdt_periodic_get_stat(). Those from MGDT_PERIODIC_VERTICES on are 0 until there is a
- *  triangulation. */
+/** Keys of mgdt_periodic_get_stat(). All but those of points, dimensions and memory are 0 until
+ *  there is a triangulation. */
 enum {
-    MGDT_PERIODIC_GIVEN_POINTS = 10, /**< Points that were inserted. */
-    MGDT_PERIODIC_MEMORY_BYTES = 15, /**< Memory that the handle holds. */
-    MGDT_PERIODIC_DIMENSIONS = 16,   /**< The number of vectors. */
-    MGDT_PERIODIC_VERTICES = 20,     /**< Points without equal images. */
-    MGDT_PERIODIC_TETRAHEDRA = 21,   /**< Classes of tetrahedra. With three vectors, a set has as
-                                          many edges as vertices and tetrahedra together. */
-    MGDT_PERIODIC_EDGES = 22,        /**< Classes of edges. */
-    MGDT_PERIODIC_IMAGES = 23,       /**< Images that were triangulated with the points. */
-    MGDT_PERIODIC_ROUNDS = 24        /**< Rounds in which these were found. */
+    MGDT_PERIODIC_STAT_POINTS = 100,   /**< Points that were inserted. */
+    MGDT_PERIODIC_STAT_VERTICES = 101, /**< Points without equal images. */
+    /** Classes of tetrahedra. With three vectors, a set has as many edges as vertices and
+     * tetrahedra together. */
+    MGDT_PERIODIC_STAT_TETRAHEDRA = 102,
+    MGDT_PERIODIC_STAT_EDGES = 103,        /**< Classes of edges. */
+    MGDT_PERIODIC_STAT_DIMENSIONS = 104,   /**< The number of vectors. */
+    MGDT_PERIODIC_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
+    /** Images that were triangulated with the points. May be 0 in later versions. */
+    MGDT_PERIODIC_STAT_IMAGES = 120,
+    MGDT_PERIODIC_STAT_ROUNDS = 121 /**< Rounds in which these were found. May be 0 in later
+                                         versions. */
 };
 
-/** Arrays of a periodic triangulation. Those up to MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS have
- *  integers, for mgdt_periodic_get_array(); the others have doubles, for
- *  mgdt_periodic_get_doubles(). Points and tetrahedra are numbered from the index base. Arrays of
- *  offsets have three elements for each offset. Until there is a triangulation, calls that ask for
- *  an array fail with MGDT_ERR_NOT_BUILT. The list of the tetrahedra and those of the neighbours of
- * vertices are made when they, or their sizes, are first asked for. */
+/** Arrays of a periodic triangulation. Keys from 200 have integers, for mgdt_periodic_get_array();
+ *  keys from 300 have doubles, for mgdt_periodic_get_doubles(). Points and tetrahedra are numbered
+ *  from the index base. Arrays of shifts have three elements for each shift. Until there is a
+ *  triangulation, calls that ask for an array fail with MGDT_ERR_NOT_BUILT. The list of the
+ *  tetrahedra and those of the neighbours of vertices are made when they, or their sizes, are first
+ *  asked for. */
 enum {
     /** For each point the vertex that has its images: the least point that has them. */
-    MGDT_PERIODIC_ARRAY_POINT_MAP = 10,
-    /** The offset of that vertex's image that is the point. 0 for a point that is its own vertex.
-     */
-    MGDT_PERIODIC_ARRAY_POINT_OFFSETS = 11,
+    MGDT_PERIODIC_ARRAY_POINT_MAP = 200,
+    /** The shift of that vertex's image that is the point. 0 for a point that is its own vertex. */
+    MGDT_PERIODIC_ARRAY_POINT_SHIFTS = 201,
     /** Four corners for each class of tetrahedra, positively oriented as in mgdt_get_tetrahedra().
      *  The first is the one whose image has the lexicographically least coordinates, and the
      *  tetrahedra are sorted by their first corners. Empty if a slab or a wire does not span space.
      */
-    MGDT_PERIODIC_ARRAY_TETRAHEDRA = 20,
-    /** The offset of each corner, 12 elements for a tetrahedron. The first corner's is 0. */
-    MGDT_PERIODIC_ARRAY_OFFSETS = 21,
+    MGDT_PERIODIC_ARRAY_TETRAHEDRA = 210,
+    /** The shift of each corner, 12 elements for a tetrahedron. The first corner's is 0. */
+    MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS = 211,
     /** For each tetrahedron the numbers of the four tetrahedra opposite its corners. The index base
      *  - 1 means that there is none: the facet is on the hull of a slab or a wire. */
-    MGDT_PERIODIC_ARRAY_NEIGHBORS = 22,
-    /** For each of these the offset by which the neighbour is moved to be there, 12 elements for a
-     *  tetrahedron. It is added to the offsets of the neighbour's corners. */
-    MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS = 23,
-    /** Where the list of each point's neighbours begins, and the end of the last one: the list of
-     *  point i is from element starts[i] to element starts[i + 1] - 1, counted from the index base.
-     *  A point that is no vertex has an empty list. */
-    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS = 30,
+    MGDT_PERIODIC_ARRAY_NEIGHBORS = 212,
+    /** For each of these the shift by which the neighbour is moved to be there, 12 elements for a
+     *  tetrahedron. It is added to the shifts of the neighbour's corners. */
+    MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS = 213,
+    /** Offsets of the lists of each point's neighbours, one more than there are points: the list of
+     *  point i is from element offsets[i] to element offsets[i + 1] - 1, counted from the index
+     *  base. A point that is no vertex has an empty list. */
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS = 220,
     /** The points at the other ends of the edges at each vertex, sorted. A vertex may have several
      *  images of one point as neighbours, and images of itself. */
-    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS = 31,
-    /** The offset of each of these images. */
-    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS = 32,
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS = 221,
+    /** The shift of each of these images. */
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS = 222,
     /** Three coordinates of each point: where the caller has put it, rounded. */
-    MGDT_PERIODIC_ARRAY_POINTS = 50,
+    MGDT_PERIODIC_ARRAY_POINTS = 300,
     /** Three coordinates of each vector, rounded. */
-    MGDT_PERIODIC_ARRAY_VECTORS = 51
+    MGDT_PERIODIC_ARRAY_VECTORS = 301
 };
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -139,8 +141,7 @@ MGDT_API mgdt_status mgdt_periodic_clear(mgdt_periodic* p);
 /* --------------------------------------------------------------------------- settings --- */
 
 /** Sets an option.
- *  @param option  MGDT_PERIODIC_INDEX_BASE to MGDT_PERIODIC_MEMORY_LIMIT, which document their
- *                 values
+ *  @param option  an MGDT_PERIODIC_OPTION_ value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, int64_t value);
@@ -152,7 +153,7 @@ MGDT_API mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t op
 /** Sets the distance within which later builds merge points; 0 (default) merges none. Points
  *  are taken in their order. A point is merged with the first earlier, unmerged point of which
  *  an image is within the distance: MGDT_PERIODIC_ARRAY_POINT_MAP names that point, and
- *  MGDT_PERIODIC_ARRAY_POINT_OFFSETS the image. The coordinates that are returned for a merged
+ *  MGDT_PERIODIC_ARRAY_POINT_SHIFTS the image. The coordinates that are returned for a merged
  *  point do not change. Merging helps where points are given on both sides of an oblique box,
  *  such as a crystal's at the fractional coordinates 0 and 1, whose images differ by rounding.
  *  @param distance  finite and at least 0; it is compared with rounded distances. A build fails
@@ -236,7 +237,7 @@ MGDT_API mgdt_status mgdt_periodic_check(const mgdt_periodic* p);
 /* ---------------------------------------------------------------------------- results --- */
 
 /** Gives one number of the box.
- *  @param key  MGDT_PERIODIC_GIVEN_POINTS to MGDT_PERIODIC_ROUNDS
+ *  @param key  an MGDT_PERIODIC_STAT_ value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key, int64_t* value);
@@ -257,7 +258,7 @@ MGDT_API mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns, i
 MGDT_API mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t array, int64_t* size);
 
 /** Writes an array of integers.
- *  @param array     MGDT_PERIODIC_ARRAY_POINT_MAP to MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS
+ *  @param array     an MGDT_PERIODIC_ARRAY_ value of integers
  *  @param capacity  at least what mgdt_periodic_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
  *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not
@@ -271,7 +272,7 @@ MGDT_API mgdt_status mgdt_periodic_get_array_i32(const mgdt_periodic* p, int32_t
                                                  int64_t capacity, int32_t* values);
 
 /** Writes an array of doubles.
- *  @param array     MGDT_PERIODIC_ARRAY_POINTS or MGDT_PERIODIC_ARRAY_VECTORS
+ *  @param array     an MGDT_PERIODIC_ARRAY_ value of doubles
  *  @param capacity  at least what mgdt_periodic_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
  *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL
@@ -296,8 +297,8 @@ MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int
  *  has its cell where the caller has put it. Two cells share a face if they meet as they are; a
  * cell that meets an image of another one, or of itself, has that face for itself. The first side
  * of a face is then the cell's own point, the second one the point whose image is on the other
- * side, and MGDT_VORONOI_FACE_IMAGES has the offsets of the images. The diagram takes its memory
- * from the same functions and has the same memory limit for itself.
+ * side, and MGDT_VORONOI_ARRAY_FACE_SHIFTS has the shifts of the images. The diagram takes its
+ * memory from the same functions and has the same memory limit for itself.
  *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the box
  *                   (mgdt_periodic_get_error())
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (the

@@ -123,6 +123,8 @@ const Switches<DomainSettings> switches = {
     {MGDT_DOMAIN_OPTION_ROUND_POINTS, &DomainSettings::rounds_points},
     {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict}};
 
+namespace of_domain {
+
 constexpr IntegerStatistic<Domain> statistics[] = {
     {MGDT_DOMAIN_STAT_POINTS, [](const Domain& d) { return d.input().point_count(); }},
     {MGDT_DOMAIN_STAT_FACETS, [](const Domain& d) { return d.input().facet_count(); }},
@@ -155,14 +157,15 @@ constexpr auto arrays =
     std::make_tuple(array<Element::integer>(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS, 4, offending_pairs),
                     array<Element::number>(MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3, open_edges));
 
+}  // namespace of_domain
 template <class Value>
 mgdt_status get(const mgdt_domain* d, std::int32_t key, std::int64_t capacity, Value* values,
                 const char* name) {
     return guard(
         d,
         [&] {
-            get_array(arrays, d->object, key, d->object.settings().index_base, capacity, values,
-                      no_requirement);
+            get_array(of_domain::arrays, d->object, key, d->object.settings().index_base, capacity,
+                      values, no_requirement);
         },
         name);
 }
@@ -263,17 +266,18 @@ extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* 
 }
 
 extern "C" mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int64_t* value) {
-    return get_stat(d, d ? &d->object : nullptr, statistics, key, value);
+    return get_stat(d, d ? &d->object : nullptr, of_domain::statistics, key, value);
 }
 
 extern "C" mgdt_status mgdt_domain_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
-    return array_info(arrays, array, columns, is_double);
+    return array_info(of_domain::arrays, array, columns, is_double);
 }
 
 extern "C" mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, int64_t* size) {
     return guard(d, [&] {
         require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(size_of(arrays, d->object, array, no_requirement));
+        *size =
+            static_cast<std::int64_t>(size_of(of_domain::arrays, d->object, array, no_requirement));
     });
 }
 

@@ -13,6 +13,8 @@ using namespace mgdt;
 
 namespace {
 
+namespace of_mesh {
+
 using Object = Result<DomainMesh>;
 
 constexpr IntegerStatistic<Object> statistics[] = {
@@ -58,14 +60,15 @@ constexpr auto arrays = std::make_tuple(
     array<Element::real>(MGDT_MESH_ARRAY_POINTS, 3, &M::points),
     array<Element::real>(MGDT_MESH_ARRAY_STEINER_PARAMETERS, 1, &M::steiner_parameters));
 
+}  // namespace of_mesh
 template <class Value>
 mgdt_status get(const mgdt_mesh* m, std::int32_t key, std::int64_t capacity, Value* values,
                 const char* name) {
     return guard(
         m,
         [&] {
-            get_array(arrays, m->object.value, key, m->object.settings().index_base, capacity,
-                      values, no_requirement);
+            get_array(of_mesh::arrays, m->object.value, key, m->object.settings().index_base,
+                      capacity, values, no_requirement);
         },
         name);
 }
@@ -98,17 +101,18 @@ extern "C" mgdt_status mgdt_mesh_cancel(mgdt_mesh* m) {
 }
 
 extern "C" mgdt_status mgdt_mesh_get_stat(const mgdt_mesh* m, int32_t key, int64_t* value) {
-    return get_stat(m, m ? &m->object : nullptr, statistics, key, value);
+    return get_stat(m, m ? &m->object : nullptr, of_mesh::statistics, key, value);
 }
 
 extern "C" mgdt_status mgdt_mesh_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
-    return array_info(arrays, array, columns, is_double);
+    return array_info(of_mesh::arrays, array, columns, is_double);
 }
 
 extern "C" mgdt_status mgdt_mesh_get_size(const mgdt_mesh* m, int32_t array, int64_t* size) {
     return guard(m, [&] {
         require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(size_of(arrays, m->object.value, array, no_requirement));
+        *size = static_cast<std::int64_t>(
+            size_of(of_mesh::arrays, m->object.value, array, no_requirement));
     });
 }
 
@@ -142,7 +146,7 @@ extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, in
 
 extern "C" mgdt_status mgdt_mesh_check(const mgdt_mesh* m) {
     return guard(m, [&] {
-        const Object& mesh = m->object;
+        const Result<DomainMesh>& mesh = m->object;
         const StopFlag::Call call(mesh.stop());
         check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator());
     });

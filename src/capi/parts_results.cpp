@@ -50,6 +50,8 @@ class View {
     PartId i_;
 };
 
+namespace of_part {
+
 auto vertex_numbers(const View& v) {
     return computed_each(v.vertices(), [&v](std::size_t k) { return v.vertex(k).number; });
 }
@@ -94,6 +96,7 @@ constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_PARTS_TETRAHEDRON_RANGES, 1, &View::tetrahedron_ranges),
     array<Element::number>(MGDT_PARTS_NEIGHBORS, 4, neighbors));
 
+}  // namespace of_part
 // Refuses arrays that depend on other parts, if one part is in memory at a time.
 void require_kept(const PartsObject& p, std::int32_t key) {
     const bool depends_on_others = key == MGDT_PARTS_TETRAHEDRON_NUMBERS ||
@@ -150,7 +153,7 @@ extern "C" mgdt_status mgdt_parts_get_stat(const mgdt_parts* p, int32_t part, in
 }
 
 extern "C" mgdt_status mgdt_parts_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
-    return array_info(arrays, array, columns, is_double);
+    return array_info(of_part::arrays, array, columns, is_double);
 }
 
 extern "C" mgdt_status mgdt_parts_get_size(const mgdt_parts* p, int32_t part, int32_t array,
@@ -159,7 +162,7 @@ extern "C" mgdt_status mgdt_parts_get_size(const mgdt_parts* p, int32_t part, in
         require_pointer(size, "size");
         const PartId i = p->object.local(part);
         require_kept(p->object, array);
-        with_array(arrays, array, [&](const auto& entry) {
+        with_array(of_part::arrays, array, [&](const auto& entry) {
             *size = 0;
             if (!p->object.triangulation) return;
             const View view(p->object, i);
@@ -174,10 +177,10 @@ extern "C" mgdt_status mgdt_parts_get_array(const mgdt_parts* p, int32_t part, i
         const PartId i = p->object.local(part);
         require_kept(p->object, array);
         if (!p->object.triangulation)
-            return with_array(arrays, array,
+            return with_array(of_part::arrays, array,
                               [&](const auto&) { require_capacity(capacity, 0, "values"); });
         const View view(p->object, i);
-        get_array(arrays, view, array, p->object.settings().index_base, capacity, values,
+        get_array(of_part::arrays, view, array, p->object.settings().index_base, capacity, values,
                   no_requirement);
     });
 }

@@ -3,6 +3,7 @@
 #include "capi/arrays.hpp"
 #include "capi/measure.hpp"
 #include "capi/periodic_handle.hpp"
+#include "capi/statistics.hpp"
 #include "capi/voronoi_handle.hpp"
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_diagram.hpp"
@@ -11,35 +12,34 @@ using namespace mgdt;
 
 namespace {
 
-std::size_t statistic(const Periodic& p, std::int32_t key) {
-    switch (key) {
-        case MGDT_PERIODIC_GIVEN_POINTS:
-            return p.point_count();
-        case MGDT_PERIODIC_MEMORY_BYTES:
-            return p.bytes();
-        case MGDT_PERIODIC_DIMENSIONS:
-            return p.dimensions();
-        case MGDT_PERIODIC_VERTICES:
-            return p.vertex_count();
-        case MGDT_PERIODIC_TETRAHEDRA:
-            return p.has_triangulation() ? p.tetrahedra().size() : 0;
-        case MGDT_PERIODIC_EDGES:
-            return p.has_triangulation() ? p.neighbors().images.size() / 2 : 0;
-        case MGDT_PERIODIC_IMAGES:
-            return p.has_triangulation() ? p.halo().point_count() - p.halo().own_count() : 0;
-        case MGDT_PERIODIC_ROUNDS:
-            return p.has_triangulation() ? p.halo().rounds() : 0;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no number %d", static_cast<int>(key));
-    }
-}
+namespace of_box {
+
+constexpr IntegerStatistic<Periodic> statistics[] = {
+    {MGDT_PERIODIC_STAT_POINTS, [](const Periodic& p) { return p.point_count(); }},
+    {MGDT_PERIODIC_STAT_VERTICES, [](const Periodic& p) { return p.vertex_count(); }},
+    {MGDT_PERIODIC_STAT_TETRAHEDRA,
+     [](const Periodic& p) { return p.has_triangulation() ? p.tetrahedra().size() : 0; }},
+    {MGDT_PERIODIC_STAT_EDGES,
+     [](const Periodic& p) { return p.has_triangulation() ? p.neighbors().images.size() / 2 : 0; }},
+    {MGDT_PERIODIC_STAT_DIMENSIONS,
+     [](const Periodic& p) { return static_cast<std::size_t>(p.dimensions()); }},
+    {MGDT_PERIODIC_STAT_MEMORY_BYTES, [](const Periodic& p) { return p.bytes(); }},
+    {MGDT_PERIODIC_STAT_IMAGES,
+     [](const Periodic& p) {
+         return p.has_triangulation() ? p.halo().point_count() - p.halo().own_count() : 0;
+     }},
+    {MGDT_PERIODIC_STAT_ROUNDS,
+     [](const Periodic& p) {
+         return p.has_triangulation() ? static_cast<std::size_t>(p.halo().rounds()) : 0;
+     }},
+};
 
 using Record = PeriodicTetrahedra::Record;
 
-// Calls f for the three integers of the offset of an image, seen from a point of the box.
+// Calls f for the three integers of the shift of an image, seen from a point of the box.
 template <class F>
-void each_of_offset(const Periodic& p, std::uint32_t point, const Image& image, const F& f) {
-    for (const std::int64_t k : p.offset_from(point, image)) f(k);
+void each_of_shift(const Periodic& p, std::uint32_t point, const Image& image, const F& f) {
+    for (const std::int64_t k : p.shift_from(point, image)) f(k);
 }
 
 std::uint32_t count_of(const Periodic& p) {
@@ -52,10 +52,10 @@ auto point_map(const Periodic& p) {
     });
 }
 
-auto point_offsets(const Periodic& p) {
+auto point_shifts(const Periodic& p) {
     return Computed(3 * p.point_count(), [&p](const auto& f) {
         for (std::uint32_t i = 0; i < count_of(p); ++i)
-            each_of_offset(p, i, {p.vertex_of(i), {}}, f);
+            each_of_shift(p, i, {p.vertex_of(i), {}}, f);
     });
 }
 
@@ -66,11 +66,11 @@ auto tetrahedra(const Periodic& p) {
     });
 }
 
-auto offsets(const Periodic& p) {
+auto tetrahedron_shifts(const Periodic& p) {
     return Computed(12 * p.tetrahedra().size(), [&p](const auto& f) {
         for (const Record& record : p.tetrahedra().records())
             for (const Image& corner : record.tetrahedron.corners)
-                each_of_offset(p, record.tetrahedron.corners[0].point, corner, f);
+                each_of_shift(p, record.tetrahedron.corners[0].point, corner, f);
     });
 }
 
@@ -82,10 +82,10 @@ auto neighbors(const Periodic& p) {
     });
 }
 
-auto neighbor_offsets(const Periodic& p) {
+auto neighbor_shifts(const Periodic& p) {
     return Computed(12 * p.tetrahedra().size(), [&p](const auto& f) {
         const Buffer<Record>& records = p.tetrahedra().records();
-        const bool needs_point = !p.has_one_shift();
+        const bool needs_point = !p.has_one_wrap();
         for (const Record& record : records) {
             const std::uint32_t first = record.tetrahedron.corners[0].point;
             for (const PeriodicTetrahedra::Neighbor& n : record.neighbors) {
@@ -95,13 +95,13 @@ auto neighbor_offsets(const Periodic& p) {
                 }
                 const std::uint32_t other =
                     needs_point ? records[n.number].tetrahedron.corners[0].point : first;
-                each_of_offset(p, first, {other, {n.of[0], n.of[1], n.of[2], 0}}, f);
+                each_of_shift(p, first, {other, {n.of[0], n.of[1], n.of[2], 0}}, f);
             }
         }
     });
 }
 
-const auto& vertex_neighbor_starts(const Periodic& p) {
+const auto& vertex_neighbor_offsets(const Periodic& p) {
     return p.neighbors().begin;
 }
 
@@ -111,12 +111,12 @@ auto vertex_neighbors(const Periodic& p) {
     });
 }
 
-auto vertex_neighbor_offsets(const Periodic& p) {
+auto vertex_neighbor_shifts(const Periodic& p) {
     return Computed(3 * p.neighbors().images.size(), [&p](const auto& f) {
         const VertexNeighbors& all = p.neighbors();
         for (std::uint32_t i = 0; i < count_of(p); ++i)
             for (std::uint64_t k = all.begin[i]; k < all.begin[i + 1]; ++k)
-                each_of_offset(p, i, all.images[k], f);
+                each_of_shift(p, i, all.images[k], f);
     });
 }
 
@@ -135,26 +135,26 @@ auto vectors(const Periodic& p) {
 
 constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_PERIODIC_ARRAY_POINT_MAP, 1, point_map),
-    array<Element::integer>(MGDT_PERIODIC_ARRAY_POINT_OFFSETS, 3, point_offsets),
+    array<Element::integer>(MGDT_PERIODIC_ARRAY_POINT_SHIFTS, 3, point_shifts),
     array<Element::number>(MGDT_PERIODIC_ARRAY_TETRAHEDRA, 4, tetrahedra),
-    array<Element::integer>(MGDT_PERIODIC_ARRAY_OFFSETS, 12, offsets),
+    array<Element::integer>(MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS, 12, tetrahedron_shifts),
     array<Element::number>(MGDT_PERIODIC_ARRAY_NEIGHBORS, 4, neighbors),
-    array<Element::integer>(MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS, 12, neighbor_offsets),
-    array<Element::number>(MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS, 1, vertex_neighbor_starts),
+    array<Element::integer>(MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS, 12, neighbor_shifts),
+    array<Element::number>(MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS, 1, vertex_neighbor_offsets),
     array<Element::number>(MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, 1, vertex_neighbors),
-    array<Element::integer>(MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS, 3,
-                            vertex_neighbor_offsets),
+    array<Element::integer>(MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS, 3, vertex_neighbor_shifts),
     array<Element::real>(MGDT_PERIODIC_ARRAY_POINTS, 3, points),
     array<Element::real>(MGDT_PERIODIC_ARRAY_VECTORS, 3, vectors));
 
+}  // namespace of_box
 template <class Value>
 mgdt_status get(const mgdt_periodic* p, std::int32_t key, std::int64_t capacity, Value* values,
                 const char* name) {
     return guard(
         p,
         [&] {
-            get_array(arrays, p->object, key, p->object.settings().index_base, capacity, values,
-                      require_triangulation);
+            get_array(of_box::arrays, p->object, key, p->object.settings().index_base, capacity,
+                      values, require_triangulation);
         },
         name);
 }
@@ -178,22 +178,20 @@ void get_measures(const Periodic& p, std::int32_t measure, std::int64_t capacity
 }  // namespace
 
 extern "C" mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key, int64_t* value) {
-    return guard(p, [&] {
-        require_pointer(value, "value");
-        *value = static_cast<std::int64_t>(statistic(p->object, key));
-    });
+    return get_stat(p, p ? &p->object : nullptr, of_box::statistics, key, value);
 }
 
 extern "C" mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns,
                                                 int32_t* is_double) {
-    return array_info(arrays, array, columns, is_double);
+    return array_info(of_box::arrays, array, columns, is_double);
 }
 
 extern "C" mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t array,
                                               int64_t* size) {
     return guard(p, [&] {
         require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(size_of(arrays, p->object, array, require_triangulation));
+        *size = static_cast<std::int64_t>(
+            size_of(of_box::arrays, p->object, array, require_triangulation));
     });
 }
 

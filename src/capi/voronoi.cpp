@@ -2,6 +2,7 @@
 // Creation of a Voronoi diagram, and its arrays.
 #include "capi/arrays.hpp"
 #include "capi/cell_view.hpp"
+#include "capi/statistics.hpp"
 #include "capi/voronoi_handle.hpp"
 
 using namespace mgdt;
@@ -26,6 +27,8 @@ void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* pla
     std::copy_n(planes, 4 * n, diagram.planes.begin());
 }
 
+namespace of_diagram {
+
 // The faces of cells: f(face, side) is called for each face of each cell, where `side`, 0 or 1, is
 // that of the cell. The same point may be on both sides, as different images: the first side is the
 // cell's then.
@@ -44,11 +47,11 @@ auto cell_neighbors(const VoronoiDiagram& d) {
     });
 }
 
-auto cell_neighbor_images(const VoronoiDiagram& d) {
-    return Computed(d.face_images.empty() ? 0 : 3 * d.cell_faces.size(), [&d](const auto& f) {
+auto cell_neighbor_shifts(const VoronoiDiagram& d) {
+    return Computed(d.face_shifts.empty() ? 0 : 3 * d.cell_faces.size(), [&d](const auto& f) {
         each_face_of_cell(d, [&](std::size_t face, unsigned side) {
             for (unsigned c = 0; c < 3; ++c) {
-                const std::int64_t k = d.face_images[3 * face + c];
+                const std::int64_t k = d.face_shifts[3 * face + c];
                 f(side == 0 ? k : -k);
             }
         });
@@ -69,37 +72,48 @@ auto face_normals(const VoronoiDiagram& d) {
     return Filled(d.face_centroids.size(), [&d](double* out) { write_normals(d, out); });
 }
 
+using Object = Result<VoronoiDiagram>;
+
+constexpr IntegerStatistic<Object> statistics[] = {
+    {MGDT_VORONOI_STAT_VERTICES, [](const Object& v) { return v.value.vertices.size() / 3; }},
+    {MGDT_VORONOI_STAT_RAYS, [](const Object& v) { return v.value.ray_vertices.size(); }},
+    {MGDT_VORONOI_STAT_FACES, [](const Object& v) { return v.value.face_count(); }},
+    {MGDT_VORONOI_STAT_POINTS, [](const Object& v) { return v.value.cell_count(); }},
+    {MGDT_VORONOI_STAT_MEMORY_BYTES, [](const Object& v) { return v.allocator().bytes(); }},
+};
+
 using D = VoronoiDiagram;
 static_assert(D::ray == D::plane);  // the flag of Element::flagged
 constexpr auto arrays = std::make_tuple(
-    array<Element::number>(MGDT_VORONOI_FACE_OFFSETS, 1, &D::face_begin),
-    array<Element::flagged>(MGDT_VORONOI_FACE_CORNERS, 1, &D::face_corners),
-    array<Element::flagged>(MGDT_VORONOI_FACE_SIDES, 2, &D::face_sides),
-    array<Element::integer>(MGDT_VORONOI_FACE_IMAGES, 3, &D::face_images),
-    array<Element::number>(MGDT_VORONOI_RAY_VERTICES, 1, &D::ray_vertices),
-    array<Element::number>(MGDT_VORONOI_CELL_OFFSETS, 1, &D::cell_begin),
-    array<Element::number>(MGDT_VORONOI_CELL_FACES, 1, &D::cell_faces),
-    array<Element::integer>(MGDT_VORONOI_CELL_BOUNDED, 1, &D::is_bounded),
-    array<Element::flagged>(MGDT_VORONOI_CELL_NEIGHBORS, 1, cell_neighbors),
-    array<Element::integer>(MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, 3, cell_neighbor_images),
-    array<Element::real>(MGDT_VORONOI_VERTICES, 3, &D::vertices),
-    array<Element::real>(MGDT_VORONOI_RAY_DIRECTIONS, 3, &D::ray_directions),
-    array<Element::real>(MGDT_VORONOI_FACE_AREAS, 1, &D::areas),
-    array<Element::real>(MGDT_VORONOI_FACE_NORMALS, 3, face_normals),
-    array<Element::real>(MGDT_VORONOI_FACE_CENTROIDS, 3, &D::face_centroids),
-    array<Element::real>(MGDT_VORONOI_CELL_VOLUMES, 1, &D::volumes),
-    array<Element::real>(MGDT_VORONOI_CELL_CENTROIDS, 3, &D::cell_centroids),
-    array<Element::real>(MGDT_VORONOI_CELL_FACE_AREAS, 1, cell_face_areas),
-    array<Element::real>(MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, 1, cell_neighbor_distances));
+    array<Element::number>(MGDT_VORONOI_ARRAY_FACE_OFFSETS, 1, &D::face_begin),
+    array<Element::flagged>(MGDT_VORONOI_ARRAY_FACE_CORNERS, 1, &D::face_corners),
+    array<Element::flagged>(MGDT_VORONOI_ARRAY_FACE_SIDES, 2, &D::face_sides),
+    array<Element::integer>(MGDT_VORONOI_ARRAY_FACE_SHIFTS, 3, &D::face_shifts),
+    array<Element::number>(MGDT_VORONOI_ARRAY_RAY_VERTICES, 1, &D::ray_vertices),
+    array<Element::number>(MGDT_VORONOI_ARRAY_CELL_OFFSETS, 1, &D::cell_begin),
+    array<Element::number>(MGDT_VORONOI_ARRAY_CELL_FACES, 1, &D::cell_faces),
+    array<Element::integer>(MGDT_VORONOI_ARRAY_CELL_BOUNDED, 1, &D::is_bounded),
+    array<Element::flagged>(MGDT_VORONOI_ARRAY_CELL_NEIGHBORS, 1, cell_neighbors),
+    array<Element::integer>(MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS, 3, cell_neighbor_shifts),
+    array<Element::real>(MGDT_VORONOI_ARRAY_VERTICES, 3, &D::vertices),
+    array<Element::real>(MGDT_VORONOI_ARRAY_RAY_DIRECTIONS, 3, &D::ray_directions),
+    array<Element::real>(MGDT_VORONOI_ARRAY_FACE_AREAS, 1, &D::areas),
+    array<Element::real>(MGDT_VORONOI_ARRAY_FACE_NORMALS, 3, face_normals),
+    array<Element::real>(MGDT_VORONOI_ARRAY_FACE_CENTROIDS, 3, &D::face_centroids),
+    array<Element::real>(MGDT_VORONOI_ARRAY_CELL_VOLUMES, 1, &D::volumes),
+    array<Element::real>(MGDT_VORONOI_ARRAY_CELL_CENTROIDS, 3, &D::cell_centroids),
+    array<Element::real>(MGDT_VORONOI_ARRAY_CELL_FACE_AREAS, 1, cell_face_areas),
+    array<Element::real>(MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES, 1, cell_neighbor_distances));
 
+}  // namespace of_diagram
 template <class Value>
 mgdt_status get(const mgdt_voronoi* v, std::int32_t key, std::int64_t capacity, Value* values,
                 const char* name) {
     return guard(
         v,
         [&] {
-            get_array(arrays, v->object.value, key, v->object.settings().index_base, capacity,
-                      values, no_requirement);
+            get_array(of_diagram::arrays, v->object.value, key, v->object.settings().index_base,
+                      capacity, values, no_requirement);
         },
         name);
 }
@@ -121,15 +135,20 @@ extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {
     destroy_handle(v);
 }
 
+extern "C" mgdt_status mgdt_voronoi_get_stat(const mgdt_voronoi* v, int32_t key, int64_t* value) {
+    return get_stat(v, v ? &v->object : nullptr, of_diagram::statistics, key, value);
+}
+
 extern "C" mgdt_status mgdt_voronoi_array_info(int32_t array, int32_t* columns,
                                                int32_t* is_double) {
-    return array_info(arrays, array, columns, is_double);
+    return array_info(of_diagram::arrays, array, columns, is_double);
 }
 
 extern "C" mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size) {
     return guard(v, [&] {
         require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(size_of(arrays, v->object.value, array, no_requirement));
+        *size = static_cast<std::int64_t>(
+            size_of(of_diagram::arrays, v->object.value, array, no_requirement));
     });
 }
 
@@ -148,16 +167,17 @@ extern "C" mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t a
     return get(v, array, capacity, values, __func__);
 }
 
-extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double area,
-                                                     double relative) {
+extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double least_area,
+                                                     double least_share) {
     return guard(v, [&] {
-        if (!(area >= 0))
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the least area is %g; it has to be at least 0", area);
-        if (!(relative >= 0 && relative < 1))
+        if (!(least_area >= 0))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the least area is %g; it has to be at least 0",
+                 least_area);
+        if (!(least_share >= 0 && least_share < 1))
             fail(MGDT_ERR_INVALID_ARGUMENT,
                  "the least share of the area is %g; it has to be at least 0 and less than 1",
-                 relative);
-        drop_small_faces(v->object.value, area, relative);
+                 least_share);
+        drop_small_faces(v->object.value, least_area, least_share);
     });
 }
 

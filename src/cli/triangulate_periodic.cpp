@@ -21,15 +21,15 @@ using ImageNode = std::array<std::int64_t, 4>;
 void print_statistics(std::FILE* out, const Periodic& box) {
     constexpr struct {
         const char* name;
-        PeriodicNumber key;
-    } lines[] = {{"points", PeriodicNumber::given_points},
-                 {"vectors that repeat", PeriodicNumber::dimensions},
-                 {"vertices", PeriodicNumber::vertices},
-                 {"edges", PeriodicNumber::edges},
-                 {"tetrahedra", PeriodicNumber::tetrahedra},
-                 {"images triangulated", PeriodicNumber::images},
-                 {"rounds", PeriodicNumber::rounds},
-                 {"memory bytes", PeriodicNumber::memory_bytes}};
+        PeriodicStatistic key;
+    } lines[] = {{"points", PeriodicStatistic::points},
+                 {"vectors that repeat", PeriodicStatistic::dimensions},
+                 {"vertices", PeriodicStatistic::vertices},
+                 {"edges", PeriodicStatistic::edges},
+                 {"tetrahedra", PeriodicStatistic::tetrahedra},
+                 {"images triangulated", PeriodicStatistic::images},
+                 {"rounds", PeriodicStatistic::rounds},
+                 {"memory bytes", PeriodicStatistic::memory_bytes}};
     for (const auto& line : lines)
         fmt::print(out, "{:<28} {}\n", line.name, box.statistic(line.key));
 }
@@ -37,7 +37,7 @@ void print_statistics(std::FILE* out, const Periodic& box) {
 // Sets the tetrahedra of a mesh, whose points get the images that are corners. Returns the images.
 std::vector<ImageNode> take_tetrahedra(const Periodic& box, Mesh& mesh) {
     const std::vector<std::int64_t> corners = box.array(PeriodicArray::tetrahedra),
-                                    offsets = box.array(PeriodicArray::offsets);
+                                    offsets = box.array(PeriodicArray::tetrahedron_shifts);
     const auto image_at = [&](std::size_t i) {
         return ImageNode{corners[i], offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2]};
     };
@@ -124,7 +124,7 @@ int triangulate_in_box(const TriangulateOptions& options) {
     const Periodic box = make_periodic(options.periodic, options.triangulation, mesh, name);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const auto count = static_cast<std::size_t>(box.statistic(PeriodicNumber::tetrahedra));
+    const auto count = static_cast<std::size_t>(box.statistic(PeriodicStatistic::tetrahedra));
     const std::size_t points = mesh.point_count();
     if (count == 0 && points > 0 && !options.triangulation.quiet)
         fmt::print(stderr, "mgdt: {}: the points do not span space, so there are no tetrahedra\n",

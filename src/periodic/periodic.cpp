@@ -113,8 +113,8 @@ void Periodic::wrap(Buffer<double>& wrapped) {
     if (settings_.merge_distance > 0)
         merge_points(*grid_, lattice_.from_callers(settings_.merge_distance), wrapped, taken_,
                      allocator_);
-    has_one_shift_ = std::all_of(taken_.begin(), taken_.end(),
-                                 [&](const Multiples& taken) { return taken == taken_[0]; });
+    has_one_wrap_ = std::all_of(taken_.begin(), taken_.end(),
+                                [&](const Multiples& taken) { return taken == taken_[0]; });
 }
 
 void Periodic::build() {

@@ -65,16 +65,16 @@ class Periodic {
     // How often each of the caller's vectors has to be added to the point of an image, where the
     // caller has put it, to get the image. The image is seen from a point of the box, and so is
     // what is returned from where the caller has put that point.
-    std::array<std::int64_t, 3> offset_from(std::uint32_t point, const Image& image) const {
+    std::array<std::int64_t, 3> shift_from(std::uint32_t point, const Image& image) const {
         return grid_->lattice().multiples_of_callers(
-            has_one_shift_ ? image.multiples()
-                           : image.multiples() + taken_[point] - taken_[image.point]);
+            has_one_wrap_ ? image.multiples()
+                          : image.multiples() + taken_[point] - taken_[image.point]);
     }
-    // Whether all points were moved into the box by the same multiples, so that offset_from() does
+    // Whether all points were moved into the box by the same multiples, so that shift_from() does
     // not depend on points.
-    bool has_one_shift() const { return has_one_shift_; }
+    bool has_one_wrap() const { return has_one_wrap_; }
     // The multiples of the basis by which a point was moved into the box.
-    const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
+    const Multiples& wrap_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
     void rounded(std::uint32_t point, double* x) const;
     // One of the caller's vectors after rounding.
@@ -100,7 +100,7 @@ class Periodic {
     Halo halo_;
     mutable Cached<PeriodicTetrahedra> tetrahedra_{allocator_};
     mutable Cached<VertexNeighbors> neighbors_{allocator_};
-    bool has_triangulation_ = false, has_one_shift_ = true;
+    bool has_triangulation_ = false, has_one_wrap_ = true;
     mutable StopFlag stop_;
 };
 

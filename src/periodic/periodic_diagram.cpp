@@ -75,7 +75,7 @@ class Extraction {
           from_(from),
           sources_(sources),
           to_(to),
-          common_(periodic.shift_of(0)),
+          common_(periodic.wrap_of(0)),
           order_(periodic.allocator()),
           number_of_face_(periodic.allocator()),
           vertices_(periodic.allocator(), common_),
@@ -105,7 +105,7 @@ class Extraction {
   private:
     void add_cell(std::uint32_t p) {
         point_ = p;
-        shift_ = periodic_.shift_of(p);
+        shift_ = periodic_.wrap_of(p);
         periodic_.place_of(p, place_);
         periodic_.rounded(p, to_.points.begin() + 3 * std::size_t{p});
         to_.is_bounded[p] = from_.is_bounded[p];
@@ -139,7 +139,7 @@ class Extraction {
         // The two cells meet as they are if the neighbour, seen from the point, has the shift of
         // its own cell.
         const bool is_shared =
-            neighbor.image.multiples() + shift_ == periodic_.shift_of(other) && other != point_;
+            neighbor.image.multiples() + shift_ == periodic_.wrap_of(other) && other != point_;
         if (is_shared && other < point_) return shared_face(neighbor);
         if (is_shared) number_of_face_[neighbor.face] = number;
         add_face(neighbor);
@@ -154,7 +154,7 @@ class Extraction {
         const std::uint32_t* const end =
             to_.cell_faces.begin() + to_.cell_begin[other + std::size_t{1}];
         const std::uint32_t* const found = std::find_if(begin, end, [&](std::uint32_t face) {
-            const std::int64_t* const of = to_.face_images.begin() + 3 * std::size_t{face};
+            const std::int64_t* const of = to_.face_shifts.begin() + 3 * std::size_t{face};
             return to_.face_sides[2 * std::size_t{face}] == other &&
                    to_.face_sides[2 * std::size_t{face} + 1] == point_ && of[0] == 0 &&
                    of[1] == 0 && of[2] == 0;
@@ -167,8 +167,8 @@ class Extraction {
         const std::uint32_t other = other_side(neighbor.face);
         to_.face_sides.push_back(point_);
         to_.face_sides.push_back(neighbor.image.point);
-        for (const std::int64_t k : periodic_.offset_from(point_, neighbor.image))
-            to_.face_images.push_back(k);
+        for (const std::int64_t k : periodic_.shift_from(point_, neighbor.image))
+            to_.face_shifts.push_back(k);
         double way[3], normal[3], centroid[3];
         for (unsigned c = 0; c < 3; ++c) way[c] = halo_.point(other)[c] - halo_.point(point_)[c];
         write_unit_vector(way, normal);
@@ -212,7 +212,7 @@ class Extraction {
         write_vertex(of_halo, x);
         const auto next = static_cast<std::uint32_t>(to_.vertices.size() / 3);
         number = next;
-        if (!periodic_.has_one_shift()) {
+        if (!periodic_.has_one_wrap()) {
             by_place_.reserve(std::size_t{next} + 1);
             number = by_place_.number(hash_of_coordinates(x), [&](std::uint32_t i) {
                 return std::equal(x, x + 3, to_.vertices.begin() + 3 * std::size_t{i}) &&
@@ -296,7 +296,7 @@ class Extraction {
         const std::uint32_t begin = vertex(from_.ray_vertices[of_halo]);
         const auto next = static_cast<std::uint32_t>(to_.ray_vertices.size());
         std::uint32_t number = next;
-        if (!periodic_.has_one_shift()) {
+        if (!periodic_.has_one_wrap()) {
             by_vertex_.reserve(std::size_t{next} + 1);
             number = by_vertex_.number(begin * 0x9E3779B1u, [&](std::uint32_t i) {
                 return to_.ray_vertices[i] == begin && is_same_ray(ray_from_[i], key);

@@ -156,8 +156,8 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
         std::copy_n(d.face_sides.begin() + 2 * f, 2, d.face_sides.begin() + 2 * to);
         d.areas[to] = d.areas[f];
         std::copy_n(d.face_centroids.begin() + 3 * f, 3, d.face_centroids.begin() + 3 * to);
-        if (d.face_images.empty()) continue;
-        std::copy_n(d.face_images.begin() + 3 * f, 3, d.face_images.begin() + 3 * to);
+        if (d.face_shifts.empty()) continue;
+        std::copy_n(d.face_shifts.begin() + 3 * f, 3, d.face_shifts.begin() + 3 * to);
         std::copy_n(d.face_normals.begin() + 3 * f, 3, d.face_normals.begin() + 3 * to);
         d.face_distances[to] = d.face_distances[f];
     }
@@ -176,8 +176,8 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     d.face_sides.resize(2 * std::size_t{kept});
     d.areas.resize(kept);
     d.face_centroids.resize(3 * std::size_t{kept});
-    if (!d.face_images.empty()) {
-        d.face_images.resize(3 * std::size_t{kept});
+    if (!d.face_shifts.empty()) {
+        d.face_shifts.resize(3 * std::size_t{kept});
         d.face_normals.resize(3 * std::size_t{kept});
         d.face_distances.resize(kept);
     }

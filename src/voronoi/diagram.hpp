@@ -20,7 +20,7 @@ struct VoronoiDiagram {
           face_sides(allocator),
           areas(allocator),
           face_centroids(allocator),
-          face_images(allocator),
+          face_shifts(allocator),
           face_normals(allocator),
           face_distances(allocator),
           cell_begin(allocator),
@@ -51,7 +51,7 @@ struct VoronoiDiagram {
     // Of points in a periodic box, and otherwise empty: for each face three numbers, how often each
     // of the caller's vectors has to be added to the second side to get its image at the face, the
     // normal, and the distance of the two sides.
-    Buffer<std::int64_t> face_images;
+    Buffer<std::int64_t> face_shifts;
     Buffer<double> face_normals, face_distances;
     Buffer<std::uint64_t> cell_begin;  // where the faces of each cell begin, and the end
     Buffer<std::uint32_t> cell_faces;

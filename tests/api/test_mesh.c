@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "keys.h"
 
 /* Schoenhardt's polyhedron, which has no tetrahedra without further points, and a point that comes
  * twice. */
@@ -90,33 +91,13 @@ static void shapes(void) {
     mgdt_mesh_destroy(m);
 }
 
-/* Keys of one kind are unknown to the functions of another one, and no two are equal. */
+/* No two keys are equal, and a key of one kind is unknown to the functions of another one. */
 static void kinds_of_keys(void) {
     mgdt_mesh* const m = mesh_of_prism(0);
-    int64_t value, wide[200];
-    int32_t narrow[200], columns, found = 0, key;
+    int64_t wide[200], value;
+    int32_t found, key;
     double x[200];
-    for (key = 0; key < 500; ++key) {
-        const int is_option = mgdt_mesh_get_option(m, key, &value) == MGDT_OK,
-                  is_stat = mgdt_mesh_get_stat(m, key, &value) == MGDT_OK,
-                  is_array = mgdt_mesh_get_size(m, key, &value) == MGDT_OK,
-                  is_integer = mgdt_mesh_get_array(m, key, 200, wide) == MGDT_OK,
-                  is_narrow = mgdt_mesh_get_array_i32(m, key, 200, narrow) == MGDT_OK,
-                  is_double = mgdt_mesh_get_doubles(m, key, 200, x) == MGDT_OK;
-        CHECK(is_option + is_stat + is_array <= 1);
-        CHECK_EQUAL(is_array, is_integer + is_double);
-        CHECK_EQUAL(is_integer, is_narrow);
-        CHECK_EQUAL(mgdt_mesh_array_info(key, &columns, NULL) == MGDT_OK, is_array);
-        if (is_option) CHECK(key >= 1 && key < 100);
-        if (is_stat) CHECK(key >= 100 && key < 200);
-        if (is_integer) CHECK(key >= 200 && key < 300);
-        if (is_double) CHECK(key >= 300 && key < 400);
-        if (!is_array) {
-            CHECK_EQUAL(mgdt_mesh_get_array(m, key, 200, wide), MGDT_ERR_UNKNOWN_KEY);
-            CHECK_EQUAL(mgdt_mesh_get_doubles(m, key, 200, x), MGDT_ERR_UNKNOWN_KEY);
-        }
-        found += is_array;
-    }
+    CHECK_KINDS_OF_KEYS(mesh, m, mgdt_mesh_get_option(m, key, &value), found);
     CHECK_EQUAL(found, n_arrays);
     CHECK_EQUAL(mgdt_mesh_get_array(m, MGDT_MESH_ARRAY_POINTS, 200, wide), MGDT_ERR_UNKNOWN_KEY);
     check_message(m, "has doubles, not integers");

@@ -9,6 +9,7 @@
 
 #include "../aligned.h"
 #include "check.h"
+#include "keys.h"
 
 static const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 static const double oblique[9] = {4, 0, 0, 1.5, 3, 0, -0.75, 0.5, 2.5};
@@ -36,14 +37,14 @@ static int64_t size_of(const mgdt_periodic* p, int32_t array) {
 /* Without a triangulation nothing is written. */
 static void no_results(const mgdt_periodic* p) {
     static const int32_t integers[] = {MGDT_PERIODIC_ARRAY_POINT_MAP,
-                                       MGDT_PERIODIC_ARRAY_POINT_OFFSETS,
+                                       MGDT_PERIODIC_ARRAY_POINT_SHIFTS,
                                        MGDT_PERIODIC_ARRAY_TETRAHEDRA,
-                                       MGDT_PERIODIC_ARRAY_OFFSETS,
+                                       MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS,
                                        MGDT_PERIODIC_ARRAY_NEIGHBORS,
-                                       MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS,
-                                       MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
+                                       MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS,
+                                       MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS,
                                        MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
-                                       MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS};
+                                       MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS};
     int64_t wide[100] = {-99}, size = -99;
     int32_t narrow[100] = {-99};
     double x[100] = {-99};
@@ -102,12 +103,12 @@ static mgdt_periodic* make_periodic(int32_t dimensions, const double* vectors, i
 }
 
 /* The place of an image. */
-static void place(const double* points, const double* vectors, int64_t point, const int64_t* offset,
+static void place(const double* points, const double* vectors, int64_t point, const int64_t* shift,
                   int32_t dimensions, double* x) {
     int32_t c, k;
     for (c = 0; c < 3; ++c) {
         x[c] = points[3 * point + c];
-        for (k = 0; k < dimensions; ++k) x[c] += (double)offset[k] * vectors[3 * k + c];
+        for (k = 0; k < dimensions; ++k) x[c] += (double)shift[k] * vectors[3 * k + c];
     }
 }
 
@@ -125,58 +126,58 @@ static double six_volumes(double x[4][3]) {
 static void arrays_agree(int32_t dimensions, int64_t base) {
     enum { n = 200 };
     mgdt_periodic* const p = make_periodic(dimensions, oblique, n);
-    int64_t *map, *point_offsets, *tetrahedra, *offsets, *neighbors, *neighbor_offsets, *starts,
-        *list, *list_offsets;
+    int64_t *map, *point_shifts, *tetrahedra, *shifts, *neighbors, *neighbor_shifts, *starts, *list,
+        *list_shifts;
     double *points, *vectors, volume = 0, x[4][3];
     int64_t i, k, l, m, count, edges = 0;
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, base), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_INDEX_BASE, base), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
     map = integers(p, MGDT_PERIODIC_ARRAY_POINT_MAP);
-    point_offsets = integers(p, MGDT_PERIODIC_ARRAY_POINT_OFFSETS);
+    point_shifts = integers(p, MGDT_PERIODIC_ARRAY_POINT_SHIFTS);
     tetrahedra = integers(p, MGDT_PERIODIC_ARRAY_TETRAHEDRA);
-    offsets = integers(p, MGDT_PERIODIC_ARRAY_OFFSETS);
+    shifts = integers(p, MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS);
     neighbors = integers(p, MGDT_PERIODIC_ARRAY_NEIGHBORS);
-    neighbor_offsets = integers(p, MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS);
-    starts = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS);
+    neighbor_shifts = integers(p, MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS);
+    starts = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS);
     list = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS);
-    list_offsets = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS);
+    list_shifts = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS);
     points = doubles(p, MGDT_PERIODIC_ARRAY_POINTS);
     vectors = doubles(p, MGDT_PERIODIC_ARRAY_VECTORS);
-    count = stat_of(p, MGDT_PERIODIC_TETRAHEDRA);
+    count = stat_of(p, MGDT_PERIODIC_STAT_TETRAHEDRA);
     CHECK_EQUAL(size_of(p, MGDT_PERIODIC_ARRAY_TETRAHEDRA), 4 * count);
     CHECK_EQUAL(size_of(p, MGDT_PERIODIC_ARRAY_VECTORS), 3 * dimensions);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_DIMENSIONS), dimensions);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_GIVEN_POINTS), n);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), n);
-    CHECK(stat_of(p, MGDT_PERIODIC_IMAGES) > 50 && stat_of(p, MGDT_PERIODIC_ROUNDS) > 0);
-    CHECK(stat_of(p, MGDT_PERIODIC_MEMORY_BYTES) > 100000);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_DIMENSIONS), dimensions);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_POINTS), n);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_VERTICES), n);
+    CHECK(stat_of(p, MGDT_PERIODIC_STAT_IMAGES) > 50 && stat_of(p, MGDT_PERIODIC_STAT_ROUNDS) > 0);
+    CHECK(stat_of(p, MGDT_PERIODIC_STAT_MEMORY_BYTES) > 100000);
     for (i = 0; i < 3 * dimensions; ++i) CHECK(vectors[i] == oblique[i]);
     for (i = 0; i < n; ++i) {
         CHECK_EQUAL(map[i], i + base);
-        for (k = 0; k < 3; ++k) CHECK_EQUAL(point_offsets[3 * i + k], 0);
+        for (k = 0; k < 3; ++k) CHECK_EQUAL(point_shifts[3 * i + k], 0);
     }
     for (i = 0; i < count; ++i) {
         for (k = 0; k < 4; ++k) {
             const int64_t neighbor = neighbors[4 * i + k] - base;
             int64_t shared = 0;
-            place(points, vectors, tetrahedra[4 * i + k] - base, offsets + 12 * i + 3 * k,
+            place(points, vectors, tetrahedra[4 * i + k] - base, shifts + 12 * i + 3 * k,
                   dimensions, x[k]);
-            for (l = dimensions; l < 3; ++l) CHECK_EQUAL(offsets[12 * i + 3 * k + l], 0);
+            for (l = dimensions; l < 3; ++l) CHECK_EQUAL(shifts[12 * i + 3 * k + l], 0);
             if (neighbor < 0) {
                 CHECK(dimensions < 3);
                 continue;
             }
             for (l = 0; l < 4; ++l)
                 for (m = 0; m < 4; ++m) {
-                    const int64_t *const a = offsets + 12 * i + 3 * l,
-                                         *const b = offsets + 12 * neighbor + 3 * m,
-                                         *const by = neighbor_offsets + 12 * i + 3 * k;
+                    const int64_t *const a = shifts + 12 * i + 3 * l,
+                                         *const b = shifts + 12 * neighbor + 3 * m,
+                                         *const by = neighbor_shifts + 12 * i + 3 * k;
                     shared += l != k && tetrahedra[4 * i + l] == tetrahedra[4 * neighbor + m] &&
                               a[0] == b[0] + by[0] && a[1] == b[1] + by[1] && a[2] == b[2] + by[2];
                 }
             CHECK_EQUAL(shared, 3);
         }
-        for (k = 0; k < 3; ++k) CHECK_EQUAL(offsets[12 * i + k], 0);
+        for (k = 0; k < 3; ++k) CHECK_EQUAL(shifts[12 * i + k], 0);
         CHECK(six_volumes(x) > 0);
         volume += six_volumes(x) / 6;
     }
@@ -184,28 +185,28 @@ static void arrays_agree(int32_t dimensions, int64_t base) {
     /* Every edge of a tetrahedron is in the lists of its ends, and every entry has its opposite. */
     CHECK_EQUAL(starts[0], base);
     CHECK_EQUAL(starts[n] - base, size_of(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS));
-    CHECK_EQUAL(starts[n] - base, 2 * stat_of(p, MGDT_PERIODIC_EDGES));
+    CHECK_EQUAL(starts[n] - base, 2 * stat_of(p, MGDT_PERIODIC_STAT_EDGES));
     for (i = 0; i < n; ++i)
         for (k = starts[i] - base; k < starts[i + 1] - base; ++k) {
             const int64_t other = list[k] - base;
             int64_t found = 0;
             for (l = starts[other] - base; l < starts[other + 1] - base; ++l)
-                found += list[l] == i + base && list_offsets[3 * l] == -list_offsets[3 * k] &&
-                         list_offsets[3 * l + 1] == -list_offsets[3 * k + 1] &&
-                         list_offsets[3 * l + 2] == -list_offsets[3 * k + 2];
+                found += list[l] == i + base && list_shifts[3 * l] == -list_shifts[3 * k] &&
+                         list_shifts[3 * l + 1] == -list_shifts[3 * k + 1] &&
+                         list_shifts[3 * l + 2] == -list_shifts[3 * k + 2];
             CHECK_EQUAL(found, 1);
             ++edges;
         }
     if (dimensions == 3) CHECK_EQUAL(edges / 2, n + count);
     free(map);
-    free(point_offsets);
+    free(point_shifts);
     free(tetrahedra);
-    free(offsets);
+    free(shifts);
     free(neighbors);
-    free(neighbor_offsets);
+    free(neighbor_shifts);
     free(starts);
     free(list);
-    free(list_offsets);
+    free(list_shifts);
     free(points);
     free(vectors);
     mgdt_periodic_destroy(p);
@@ -234,17 +235,19 @@ static void cells(void) {
                 MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_OK);
     mgdt_periodic_destroy(p); /* the diagram stays */
-    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_SHIFTS, &size), MGDT_OK);
     CHECK_EQUAL(size, 36);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_IMAGES, 36, images), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_SIDES, 24, sides), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_FACES, 12, faces), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_FACE_NORMALS, 36, normals), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_NEIGHBORS, 12, neighbors), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, 36, of_cells),
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_FACE_SHIFTS, 36, images), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_FACE_SIDES, 24, sides), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_CELL_FACES, 12, faces), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_ARRAY_FACE_NORMALS, 36, normals), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBORS, 12, neighbors),
                 MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, 12, distances),
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS, 36, of_cells),
                 MGDT_OK);
+    CHECK_EQUAL(
+        mgdt_voronoi_get_doubles(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES, 12, distances),
+        MGDT_OK);
     for (i = 0; i < 12; ++i) {
         double way[3], product = 0, square = 0;
         int64_t c, k;
@@ -265,9 +268,9 @@ static void cells(void) {
     }
     /* A face and its image go together. */
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 0.1, 0), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_FACE_AREAS, 12, areas), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_ARRAY_FACE_AREAS, 12, areas), MGDT_OK);
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 2 * areas[0], 0), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_SHIFTS, &size), MGDT_OK);
     CHECK_EQUAL(size, 0);
     mgdt_voronoi_destroy(v);
     /* The diagram of a triangulation has no images. */
@@ -275,9 +278,9 @@ static void cells(void) {
         double* const xyz = random_points(20, 0, 1);
         mgdt_triangulation* const t = make(20, xyz);
         CHECK_EQUAL(mgdt_voronoi_create(t, 0, NULL, &v), MGDT_OK);
-        CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+        CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_SHIFTS, &size), MGDT_OK);
         CHECK_EQUAL(size, 0);
-        CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_IMAGES, 0, NULL), MGDT_OK);
+        CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_FACE_SHIFTS, 0, NULL), MGDT_OK);
         mgdt_voronoi_destroy(v);
         mgdt_destroy(t);
         free(xyz);
@@ -305,9 +308,9 @@ static void close_packing(void) {
     CHECK(volumes[1] > 0.7071067811865 && volumes[1] < 0.7071067811866);
     CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_OK);
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 1e-9, 0), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_CELL_OFFSETS, &size), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_CELL_OFFSETS, &size), MGDT_OK);
     CHECK_EQUAL(size, 3);
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_OFFSETS, 3, starts), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_CELL_OFFSETS, 3, starts), MGDT_OK);
     CHECK_EQUAL(starts[1] - starts[0], 12);
     CHECK_EQUAL(starts[2] - starts[1], 12);
     mgdt_voronoi_destroy(v);
@@ -320,18 +323,18 @@ static void equal_and_moved_points(void) {
     const int64_t second = 2, bad = 4;
     double nan = 0, x[9];
     mgdt_periodic* p = NULL;
-    int64_t *map, *offsets;
+    int64_t *map, *shifts;
     CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_INDEX_BASE, 1), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 3, xyz), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), 2);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_VERTICES), 2);
     map = integers(p, MGDT_PERIODIC_ARRAY_POINT_MAP);
-    offsets = integers(p, MGDT_PERIODIC_ARRAY_POINT_OFFSETS);
+    shifts = integers(p, MGDT_PERIODIC_ARRAY_POINT_SHIFTS);
     CHECK(map[0] == 1 && map[1] == 1 && map[2] == 3);
-    CHECK(offsets[3] == 3 && offsets[4] == -2 && offsets[5] == 0);
+    CHECK(shifts[3] == 3 && shifts[4] == -2 && shifts[5] == 0);
     free(map);
-    free(offsets);
+    free(shifts);
     CHECK_EQUAL(mgdt_periodic_move_points(p, 1, &bad, xyz), MGDT_ERR_INVALID_ARGUMENT);
     CHECK(says(p, "there is no point 4; there are 3"));
     nan /= nan;
@@ -355,6 +358,7 @@ static void equal_and_moved_points(void) {
 }
 
 static void bad_arguments(void) {
+    int32_t found, key;
     const double flat[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, zero[3] = {0, 0, 0};
     double bad[3] = {0, 1, 0}, far[3] = {0.5, -1e15, 0.5}, x[3];
     mgdt_periodic* p = (mgdt_periodic*)(void*)bad;
@@ -380,18 +384,19 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 2, cube), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, bad), MGDT_ERR_NOT_FINITE);
     CHECK(says(p, "point 2"));
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_GIVEN_POINTS), 2);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_POINTS), 2);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, far), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_ERR_INVALID_ARGUMENT);
     CHECK(says(p, "point 2 is more than 536870912 boxes away"));
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_TETRAHEDRA), 0);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_EDGES), 0);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_TETRAHEDRA), 0);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_EDGES), 0);
     no_results(p);
     CHECK_EQUAL(mgdt_periodic_create_voronoi(p, NULL), MGDT_ERR_NULL_POINTER);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, 2),
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_INDEX_BASE, 2),
                 MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_THREADS, -1), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, -1),
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_THREADS, -1),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, -1),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_periodic_set_option(p, 11, 0), MGDT_ERR_UNKNOWN_KEY);
     CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, -1), MGDT_ERR_INVALID_ARGUMENT);
@@ -405,15 +410,17 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_periodic_get_merge_distance(p, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_set_merge_distance(p, 0), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_get_option(p, 11, &value), MGDT_ERR_UNKNOWN_KEY);
-    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, NULL), MGDT_ERR_NULL_POINTER);
-    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, &value), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_OPTION_THREADS, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_OPTION_THREADS, &value), MGDT_OK);
     CHECK_EQUAL(value, 1);
-    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_INDEX_BASE, &value), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_OPTION_INDEX_BASE, &value), MGDT_OK);
     CHECK_EQUAL(value, 0);
-    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_MEMORY_LIMIT, &value), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, &value), MGDT_OK);
     CHECK_EQUAL(value, 0);
     CHECK_EQUAL(mgdt_periodic_get_stat(p, 9, &value), MGDT_ERR_UNKNOWN_KEY);
-    CHECK_EQUAL(mgdt_periodic_get_stat(p, MGDT_PERIODIC_VERTICES, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_get_stat(p, MGDT_PERIODIC_STAT_VERTICES, NULL),
+                MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_get_size(p, 9, &value), MGDT_ERR_UNKNOWN_KEY);
     CHECK_EQUAL(mgdt_periodic_get_size(p, MGDT_PERIODIC_ARRAY_POINTS, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_clear(p), MGDT_OK);
@@ -424,6 +431,8 @@ static void bad_arguments(void) {
     mgdt_voronoi_destroy(v);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_KINDS_OF_KEYS(periodic, p, mgdt_periodic_get_option(p, key, &value), found);
+    CHECK_EQUAL(found, 11);
     CHECK_EQUAL(mgdt_periodic_get_array(p, MGDT_PERIODIC_ARRAY_POINTS, 3, &value),
                 MGDT_ERR_UNKNOWN_KEY);
     CHECK_EQUAL(mgdt_periodic_get_doubles(p, MGDT_PERIODIC_ARRAY_POINT_MAP, 3, x),
@@ -445,7 +454,7 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
-    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), 1);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_VERTICES), 1);
     CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 1, x),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK(says(p, "the points do not span space"));
@@ -497,7 +506,7 @@ static void refused_memory(void) {
         if (!done && status == MGDT_ERR_OUT_OF_MEMORY) {
             ++failures;
             if (p != NULL) {
-                if (stat_of(p, MGDT_PERIODIC_GIVEN_POINTS) == 0)
+                if (stat_of(p, MGDT_PERIODIC_STAT_POINTS) == 0)
                     CHECK_EQUAL(mgdt_periodic_insert_points(p, 40, xyz), MGDT_OK);
                 CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
                 CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
@@ -514,11 +523,11 @@ static void refused_memory(void) {
 
 static void memory_limit(void) {
     mgdt_periodic* const p = make_periodic(3, cube, 500);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, 100000), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, 100000), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_ERR_OUT_OF_MEMORY);
-    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, 1 << 25), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, 1 << 25), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
-    CHECK(stat_of(p, MGDT_PERIODIC_MEMORY_BYTES) > 100000);
+    CHECK(stat_of(p, MGDT_PERIODIC_STAT_MEMORY_BYTES) > 100000);
     mgdt_periodic_destroy(p);
 }
 
@@ -540,7 +549,7 @@ static int32_t report(double fraction, void* user) {
     CHECK_EQUAL(mgdt_periodic_clear(w->p), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_periodic_insert_points(w->p, 1, cube), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_periodic_move_points(w->p, 0, NULL, NULL), MGDT_ERR_BUSY);
-    CHECK_EQUAL(mgdt_periodic_set_option(w->p, MGDT_PERIODIC_THREADS, 1), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_set_option(w->p, MGDT_PERIODIC_OPTION_THREADS, 1), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_periodic_set_progress(w->p, NULL, NULL), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_periodic_get_size(w->p, MGDT_PERIODIC_ARRAY_POINTS, &size), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_periodic_get_cell_measures(w->p, MGDT_MEASURE_VOLUME, 1, x), MGDT_ERR_BUSY);
@@ -564,7 +573,7 @@ static void progress(void) {
         w.stop_after = i;
         CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_ERR_CANCELLED);
         CHECK_EQUAL(w.calls, i);
-        CHECK_EQUAL(stat_of(w.p, MGDT_PERIODIC_TETRAHEDRA), 0);
+        CHECK_EQUAL(stat_of(w.p, MGDT_PERIODIC_STAT_TETRAHEDRA), 0);
     }
     CHECK_EQUAL(mgdt_periodic_set_progress(w.p, NULL, NULL), MGDT_OK);
     /* A request waits for the next call, unless it is withdrawn. */

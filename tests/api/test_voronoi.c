@@ -9,28 +9,37 @@
 
 #include "../aligned.h"
 #include "check.h"
+#include "keys.h"
 
 static const double cube[24] = {1, 0,  0, 1, -1, 0, 0, 0, 0, 1, 0,  1,
                                 0, -1, 0, 0, 0,  0, 1, 1, 0, 0, -1, 0};
 static const int32_t integers[9] = {
-    MGDT_VORONOI_FACE_OFFSETS, MGDT_VORONOI_FACE_CORNERS,   MGDT_VORONOI_FACE_SIDES,
-    MGDT_VORONOI_RAY_VERTICES, MGDT_VORONOI_CELL_OFFSETS,   MGDT_VORONOI_CELL_FACES,
-    MGDT_VORONOI_CELL_BOUNDED, MGDT_VORONOI_CELL_NEIGHBORS, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES};
-static const int32_t doubles[9] = {MGDT_VORONOI_VERTICES,
-                                   MGDT_VORONOI_RAY_DIRECTIONS,
-                                   MGDT_VORONOI_FACE_AREAS,
-                                   MGDT_VORONOI_FACE_NORMALS,
-                                   MGDT_VORONOI_FACE_CENTROIDS,
-                                   MGDT_VORONOI_CELL_VOLUMES,
-                                   MGDT_VORONOI_CELL_CENTROIDS,
-                                   MGDT_VORONOI_CELL_FACE_AREAS,
-                                   MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES};
+    MGDT_VORONOI_ARRAY_FACE_OFFSETS,        MGDT_VORONOI_ARRAY_FACE_CORNERS,
+    MGDT_VORONOI_ARRAY_FACE_SIDES,          MGDT_VORONOI_ARRAY_RAY_VERTICES,
+    MGDT_VORONOI_ARRAY_CELL_OFFSETS,        MGDT_VORONOI_ARRAY_CELL_FACES,
+    MGDT_VORONOI_ARRAY_CELL_BOUNDED,        MGDT_VORONOI_ARRAY_CELL_NEIGHBORS,
+    MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS};
+static const int32_t doubles[9] = {MGDT_VORONOI_ARRAY_VERTICES,
+                                   MGDT_VORONOI_ARRAY_RAY_DIRECTIONS,
+                                   MGDT_VORONOI_ARRAY_FACE_AREAS,
+                                   MGDT_VORONOI_ARRAY_FACE_NORMALS,
+                                   MGDT_VORONOI_ARRAY_FACE_CENTROIDS,
+                                   MGDT_VORONOI_ARRAY_CELL_VOLUMES,
+                                   MGDT_VORONOI_ARRAY_CELL_CENTROIDS,
+                                   MGDT_VORONOI_ARRAY_CELL_FACE_AREAS,
+                                   MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES};
 
 static int check_message(const mgdt_voronoi* v, const char* text) {
     char message[256] = "";
     CHECK_EQUAL(mgdt_voronoi_get_error(v, sizeof message, message), MGDT_OK);
     if (strstr(message, text) == NULL) printf("the message is: %s\n", message);
     return CHECK(strstr(message, text) != NULL);
+}
+
+static int64_t stat_of(const mgdt_voronoi* v, int32_t key) {
+    int64_t value = -1;
+    CHECK_EQUAL(mgdt_voronoi_get_stat(v, key, &value), MGDT_OK);
+    return value;
 }
 
 static int64_t size_of(const mgdt_voronoi* v, int32_t array) {
@@ -76,23 +85,23 @@ static void fits_together(void) {
     int64_t f, c, n;
     int k;
     mgdt_destroy(t); /* The diagram stays. */
-    offsets = integers_of(v, MGDT_VORONOI_FACE_OFFSETS);
-    sides = integers_of(v, MGDT_VORONOI_FACE_SIDES);
-    cells = integers_of(v, MGDT_VORONOI_CELL_OFFSETS);
-    faces = integers_of(v, MGDT_VORONOI_CELL_FACES);
-    bounded = integers_of(v, MGDT_VORONOI_CELL_BOUNDED);
-    areas = doubles_of(v, MGDT_VORONOI_FACE_AREAS);
-    normals = doubles_of(v, MGDT_VORONOI_FACE_NORMALS);
-    centroids = doubles_of(v, MGDT_VORONOI_FACE_CENTROIDS);
-    volumes = doubles_of(v, MGDT_VORONOI_CELL_VOLUMES);
-    n = size_of(v, MGDT_VORONOI_FACE_AREAS);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_FACE_OFFSETS), n + 1);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_FACE_SIDES), 2 * n);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_FACE_CORNERS), offsets[n]);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_OFFSETS), 301);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_FACES), cells[300]);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_RAY_VERTICES), 0);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_CENTROIDS), 900);
+    offsets = integers_of(v, MGDT_VORONOI_ARRAY_FACE_OFFSETS);
+    sides = integers_of(v, MGDT_VORONOI_ARRAY_FACE_SIDES);
+    cells = integers_of(v, MGDT_VORONOI_ARRAY_CELL_OFFSETS);
+    faces = integers_of(v, MGDT_VORONOI_ARRAY_CELL_FACES);
+    bounded = integers_of(v, MGDT_VORONOI_ARRAY_CELL_BOUNDED);
+    areas = doubles_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS);
+    normals = doubles_of(v, MGDT_VORONOI_ARRAY_FACE_NORMALS);
+    centroids = doubles_of(v, MGDT_VORONOI_ARRAY_FACE_CENTROIDS);
+    volumes = doubles_of(v, MGDT_VORONOI_ARRAY_CELL_VOLUMES);
+    n = size_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_FACE_OFFSETS), n + 1);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_FACE_SIDES), 2 * n);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_FACE_CORNERS), offsets[n]);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_OFFSETS), 301);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_FACES), cells[300]);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_RAY_VERTICES), 0);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_CENTROIDS), 900);
     for (c = 0; c < 300; ++c) {
         volume += volumes[c];
         CHECK_EQUAL(bounded[c], 1);
@@ -110,11 +119,11 @@ static void fits_together(void) {
         CHECK(sides[2 * f + 1] >= -6);
     }
     /* The list of neighbours with weights: the faces, as each of their cells sees them. */
-    neighbors = integers_of(v, MGDT_VORONOI_CELL_NEIGHBORS);
-    face_areas = doubles_of(v, MGDT_VORONOI_CELL_FACE_AREAS);
-    distances = doubles_of(v, MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_NEIGHBORS), cells[300]);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_NEIGHBOR_IMAGES), 0);
+    neighbors = integers_of(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBORS);
+    face_areas = doubles_of(v, MGDT_VORONOI_ARRAY_CELL_FACE_AREAS);
+    distances = doubles_of(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBORS), cells[300]);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS), 0);
     for (c = 0; c < 300; ++c) {
         double pyramids = 0;
         for (f = cells[c]; f < cells[c + 1]; ++f) {
@@ -149,10 +158,10 @@ static void index_base(void) {
         int64_t i, n;
         CHECK_EQUAL(mgdt_set_index_base(t, base), MGDT_OK);
         v = diagram_of(t, 0, NULL);
-        offsets = integers_of(v, MGDT_VORONOI_FACE_OFFSETS);
-        corners = integers_of(v, MGDT_VORONOI_FACE_CORNERS);
-        sides = integers_of(v, MGDT_VORONOI_FACE_SIDES);
-        rays = integers_of(v, MGDT_VORONOI_RAY_VERTICES);
+        offsets = integers_of(v, MGDT_VORONOI_ARRAY_FACE_OFFSETS);
+        corners = integers_of(v, MGDT_VORONOI_ARRAY_FACE_CORNERS);
+        sides = integers_of(v, MGDT_VORONOI_ARRAY_FACE_SIDES);
+        rays = integers_of(v, MGDT_VORONOI_ARRAY_RAY_VERTICES);
         for (i = 0; i < 7; ++i) CHECK_EQUAL(offsets[i], base + 3 * i);
         for (i = 0; i < 6; ++i) {
             CHECK_EQUAL(corners[3 * i], base);
@@ -176,8 +185,8 @@ static void index_base(void) {
         free(offsets), free(corners), free(sides), free(rays);
         mgdt_voronoi_destroy(v);
         v = diagram_of(t, 6, cube);
-        sides = integers_of(v, MGDT_VORONOI_FACE_SIDES);
-        n = size_of(v, MGDT_VORONOI_FACE_AREAS);
+        sides = integers_of(v, MGDT_VORONOI_ARRAY_FACE_SIDES);
+        n = size_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS);
         least = 0;
         for (i = 0; i < n; ++i)
             if (sides[2 * i + 1] < least) least = sides[2 * i + 1];
@@ -189,6 +198,7 @@ static void index_base(void) {
 }
 
 static void arguments(void) {
+    int32_t found, key;
     static const double xyz[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
     mgdt_triangulation* const t = make(5, xyz);
     mgdt_voronoi *v = (mgdt_voronoi*)t, *other;
@@ -213,8 +223,20 @@ static void arguments(void) {
     planes[3] = NAN;
     CHECK_EQUAL(mgdt_voronoi_create(t, 6, planes, &v), MGDT_ERR_NOT_FINITE);
     v = diagram_of(t, 6, cube);
-    CHECK_EQUAL(mgdt_voronoi_get_size(NULL, MGDT_VORONOI_VERTICES, &size), MGDT_ERR_NULL_POINTER);
-    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_VERTICES, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_voronoi_get_size(NULL, MGDT_VORONOI_ARRAY_VERTICES, &size),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_VERTICES, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_KINDS_OF_KEYS(voronoi, v, MGDT_ERR_UNKNOWN_KEY, found);
+    CHECK_EQUAL(found, 19);
+    CHECK_EQUAL(stat_of(v, MGDT_VORONOI_STAT_VERTICES),
+                size_of(v, MGDT_VORONOI_ARRAY_VERTICES) / 3);
+    CHECK_EQUAL(stat_of(v, MGDT_VORONOI_STAT_RAYS), size_of(v, MGDT_VORONOI_ARRAY_RAY_VERTICES));
+    CHECK_EQUAL(stat_of(v, MGDT_VORONOI_STAT_FACES), size_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS));
+    CHECK_EQUAL(stat_of(v, MGDT_VORONOI_STAT_POINTS), size_of(v, MGDT_VORONOI_ARRAY_CELL_VOLUMES));
+    CHECK(stat_of(v, MGDT_VORONOI_STAT_MEMORY_BYTES) > 0);
+    CHECK_EQUAL(mgdt_voronoi_get_stat(v, MGDT_VORONOI_ARRAY_VERTICES, &size), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_voronoi_get_stat(v, MGDT_VORONOI_STAT_FACES, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_voronoi_get_stat(NULL, MGDT_VORONOI_STAT_FACES, &size), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_voronoi_get_size(v, 9, &size), MGDT_ERR_UNKNOWN_KEY);
     check_message(v, "there is no array 9");
     CHECK_EQUAL(size, 5);
@@ -235,7 +257,7 @@ static void arguments(void) {
             CHECK_EQUAL(mgdt_voronoi_get_doubles(v, doubles[i], 1000, NULL), MGDT_ERR_NULL_POINTER);
         }
     }
-    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_OFFSETS, -1, values),
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_ARRAY_CELL_OFFSETS, -1, values),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(NULL, 0, 0), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, -1, 0), MGDT_ERR_INVALID_ARGUMENT);
@@ -244,9 +266,9 @@ static void arguments(void) {
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 0, 1), MGDT_ERR_INVALID_ARGUMENT);
     check_message(v, "the least share");
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 0, NAN), MGDT_ERR_INVALID_ARGUMENT);
-    size = size_of(v, MGDT_VORONOI_FACE_AREAS);
+    size = size_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS);
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 1e-300, 1e-300), MGDT_OK);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_FACE_AREAS), size);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_FACE_AREAS), size);
     CHECK_EQUAL(mgdt_voronoi_get_error(NULL, 8, text), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_voronoi_get_error(v, 8, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_voronoi_get_error(v, 0, text), MGDT_ERR_INVALID_ARGUMENT);
@@ -267,8 +289,8 @@ static void few_points(void) {
     mgdt_voronoi* v = diagram_of(t, 0, NULL);
     int i;
     for (i = 0; i < 9; ++i) {
-        const int is_offset =
-            integers[i] == MGDT_VORONOI_FACE_OFFSETS || integers[i] == MGDT_VORONOI_CELL_OFFSETS;
+        const int is_offset = integers[i] == MGDT_VORONOI_ARRAY_FACE_OFFSETS ||
+                              integers[i] == MGDT_VORONOI_ARRAY_CELL_OFFSETS;
         CHECK_EQUAL(size_of(v, integers[i]), is_offset);
         CHECK_EQUAL(size_of(v, doubles[i]), 0);
         CHECK_EQUAL(mgdt_voronoi_get_doubles(v, doubles[i], 0, NULL), MGDT_OK);
@@ -277,7 +299,7 @@ static void few_points(void) {
     mgdt_voronoi_destroy(v);
     /* In a region, too, whose planes begin at no point. */
     v = diagram_of(t, 4, planes);
-    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_VOLUMES), 0);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_ARRAY_CELL_VOLUMES), 0);
     mgdt_voronoi_destroy(v);
     mgdt_destroy(t);
     t = make(4, xyz);

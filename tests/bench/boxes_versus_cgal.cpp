@@ -122,17 +122,17 @@ void triangulate_in_box(const Points& xyz, int threads, InBox& result) {
     mgdt_periodic* p = nullptr;
     result.build.push_back(bench::seconds([&] {
         require(mgdt_periodic_create(3, cube, &p), "mgdt_periodic_create");
-        require(mgdt_periodic_set_option(p, MGDT_PERIODIC_THREADS, threads), "threads");
+        require(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_THREADS, threads), "threads");
         require(
             mgdt_periodic_insert_points(p, static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),
             "mgdt_periodic_insert_points");
         require(mgdt_periodic_build(p), "mgdt_periodic_build");
     }));
     result.list.push_back(bench::seconds([&] {
-        require(mgdt_periodic_get_stat(p, MGDT_PERIODIC_TETRAHEDRA, &result.tetrahedra),
+        require(mgdt_periodic_get_stat(p, MGDT_PERIODIC_STAT_TETRAHEDRA, &result.tetrahedra),
                 "tetrahedra");
     }));
-    require(mgdt_periodic_get_stat(p, MGDT_PERIODIC_IMAGES, &result.images), "images");
+    require(mgdt_periodic_get_stat(p, MGDT_PERIODIC_STAT_IMAGES, &result.images), "images");
     mgdt_periodic_destroy(p);
 }
 

@@ -47,10 +47,10 @@ void expect_right(const std::vector<double>& xyz, const std::vector<double>& vec
     p.insert(xyz);
     p.build();
     p.check();
-    const std::int64_t tetrahedra = p.statistic(PeriodicNumber::tetrahedra);
+    const std::int64_t tetrahedra = p.statistic(PeriodicStatistic::tetrahedra);
     if (vectors.size() < 9) return;
-    EXPECT_EQ(p.statistic(PeriodicNumber::edges),
-              p.statistic(PeriodicNumber::vertices) + tetrahedra);
+    EXPECT_EQ(p.statistic(PeriodicStatistic::edges),
+              p.statistic(PeriodicStatistic::vertices) + tetrahedra);
     double sum = 0;
     for (const double v : p.cell_measures(Measure::volume)) sum += v;
     const double box = vectors[0] * vectors[4] * vectors[8];  // both shapes are triangular
@@ -67,7 +67,7 @@ TEST(PeriodicDistributions, AreRight) {
         if (kind == "nan" || kind == "infinity") {
             Periodic p(vectors_around({0, 0, 0, 1, 1, 1}, false));
             EXPECT_THROW(p.insert(xyz), Error);
-            EXPECT_EQ(p.statistic(PeriodicNumber::given_points), 0);
+            EXPECT_EQ(p.statistic(PeriodicStatistic::points), 0);
             continue;
         }
         for (const bool is_oblique : {false, true}) {
@@ -90,9 +90,9 @@ TEST(PeriodicDistributions, AtAllScales) {
         p.insert(xyz);
         p.build();
         p.check();
-        EXPECT_EQ(p.statistic(PeriodicNumber::vertices), 200);
-        EXPECT_EQ(p.statistic(PeriodicNumber::edges),
-                  200 + p.statistic(PeriodicNumber::tetrahedra));
+        EXPECT_EQ(p.statistic(PeriodicStatistic::vertices), 200);
+        EXPECT_EQ(p.statistic(PeriodicStatistic::edges),
+                  200 + p.statistic(PeriodicStatistic::tetrahedra));
     }
 }
 

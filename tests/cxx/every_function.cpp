@@ -182,21 +182,25 @@ bool calls_periodic() {
     box.build();
     box.check();
     box.clear_progress();
-    if (heard == 0 || box.statistic(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    if (heard == 0 || box.statistic(mgdt::PeriodicStatistic::tetrahedra) != 12) return false;
     if (box.array(mgdt::PeriodicArray::tetrahedra).size() != 48) return false;
-    if (box.array<std::int32_t>(mgdt::PeriodicArray::offsets).size() != 144) return false;
+    if (box.array<std::int32_t>(mgdt::PeriodicArray::tetrahedron_shifts).size() != 144)
+        return false;
     if (box.points() != atoms || box.vectors() != vectors) return false;
     if (box.cell_measures(mgdt::Measure::faces) != std::vector<double>{14, 14}) return false;
     if (box.cell_measures(mgdt::Measure::centroid).size() != 6) return false;
     const mgdt::Voronoi cells = box.voronoi();
-    if (cells.array(mgdt::VoronoiArray::face_images).size() !=
+    if (cells.array(mgdt::VoronoiArray::face_shifts).size() !=
         3 * cells.size(mgdt::VoronoiDoubles::face_areas))
+        return false;
+    if (cells.statistic(mgdt::VoronoiStatistic::faces) !=
+        static_cast<std::int64_t>(cells.size(mgdt::VoronoiDoubles::face_areas)))
         return false;
     box.move(atoms);
     box.move(std::vector<std::int64_t>{1}, std::vector<mgdt::Point>{{1, 1, 3}});
     box.move(std::vector<std::int64_t>{}, std::vector<mgdt::Point>{});
     box.build();
-    if (box.statistic(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    if (box.statistic(mgdt::PeriodicStatistic::tetrahedra) != 12) return false;
     try {
         box.move(std::vector<std::int64_t>{1}, atoms);
         return false;

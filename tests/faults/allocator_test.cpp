@@ -75,16 +75,16 @@ TEST(Allocator, RefusesToLeaveFacesOut) {
         mgdt_voronoi* v = nullptr;
         ASSERT_EQ(mgdt_voronoi_create(story.handle(), 0, nullptr, &v), MGDT_OK);
         std::int64_t before = 0, after = 0;
-        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &before), MGDT_OK);
+        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_CORNERS, &before), MGDT_OK);
         for (std::int64_t nth = 1; nth <= 2; ++nth) {
             fault_arm(fault_handle, nth, INT64_MAX);
             EXPECT_EQ(mgdt_voronoi_drop_small_faces(v, 0.01, 0), MGDT_ERR_OUT_OF_MEMORY);
             fault_disarm();
-            EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &after), MGDT_OK);
+            EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_CORNERS, &after), MGDT_OK);
             EXPECT_EQ(before, after);
         }
         EXPECT_EQ(mgdt_voronoi_drop_small_faces(v, 0.01, 0), MGDT_OK);
-        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &after), MGDT_OK);
+        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_ARRAY_FACE_CORNERS, &after), MGDT_OK);
         EXPECT_LT(after, before);
         mgdt_voronoi_destroy(v);
     }

@@ -363,7 +363,7 @@ inline constexpr Call calls[] = {
          mgdt_voronoi* v = nullptr;
          const mgdt_status status = mgdt_voronoi_create(t, 0, nullptr, &v);
          if (status != MGDT_OK) return v == nullptr ? status : mgdt_status(MGDT_ERR_INTERNAL);
-         const mgdt_status volumes = mgdt_voronoi_get_doubles(v, MGDT_VORONOI_CELL_VOLUMES,
+         const mgdt_status volumes = mgdt_voronoi_get_doubles(v, MGDT_VORONOI_ARRAY_CELL_VOLUMES,
                                                               mgdt_point_count(t), o.reals.data());
          mgdt_voronoi_destroy(v);
          return volumes;

@@ -166,7 +166,7 @@ Kind box() {
         {{"insert_points",
           [p](void* h) {
               std::int64_t n = 0;
-              const mgdt_status s = mgdt_periodic_get_stat(p(h), MGDT_PERIODIC_GIVEN_POINTS, &n);
+              const mgdt_status s = mgdt_periodic_get_stat(p(h), MGDT_PERIODIC_STAT_POINTS, &n);
               return s != MGDT_OK || n > 0 ? s
                                            : mgdt_periodic_insert_points(p(h), 5, points.data());
           }},

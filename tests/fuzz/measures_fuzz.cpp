@@ -159,7 +159,7 @@ class Measured {
             std::int64_t size = -1;
             FUZZ_REQUIRE(mgdt_voronoi_get_size(v, array, &size) == MGDT_OK && size >= 0, "size");
             Numbers x(static_cast<std::size_t>(size));
-            if (array < MGDT_VORONOI_VERTICES) {
+            if (array < MGDT_VORONOI_ARRAY_VERTICES) {
                 Indices integers(x.size());
                 FUZZ_REQUIRE(mgdt_voronoi_get_array(v, array, size, integers.data()) == MGDT_OK,
                              "array");

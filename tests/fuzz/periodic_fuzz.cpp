@@ -43,9 +43,9 @@ class Session {
         for (int calls = 0; calls < 24 && !in_.empty(); ++calls) switch (in_.below(9)) {
                 case 0:
                     base_ = in_.below(2);
-                    FUZZ_REQUIRE(
-                        mgdt_periodic_set_option(p_, MGDT_PERIODIC_INDEX_BASE, base_) == MGDT_OK,
-                        "base");
+                    FUZZ_REQUIRE(mgdt_periodic_set_option(p_, MGDT_PERIODIC_OPTION_INDEX_BASE,
+                                                          base_) == MGDT_OK,
+                                 "base");
                     break;
                 case 1:
                     FUZZ_REQUIRE(mgdt_periodic_clear(p_) == MGDT_OK, "clear");
@@ -145,10 +145,12 @@ class Session {
         FUZZ_REQUIRE(mgdt_periodic_create(dimensions_, vectors_.data(), &other) == MGDT_OK,
                      "create");
         if (in_.flag())
-            FUZZ_REQUIRE(mgdt_periodic_set_option(other, MGDT_PERIODIC_THREADS, 2) == MGDT_OK,
-                         "threads");
-        FUZZ_REQUIRE(mgdt_periodic_set_option(other, MGDT_PERIODIC_INDEX_BASE, base_) == MGDT_OK,
-                     "base");
+            FUZZ_REQUIRE(
+                mgdt_periodic_set_option(other, MGDT_PERIODIC_OPTION_THREADS, 2) == MGDT_OK,
+                "threads");
+        FUZZ_REQUIRE(
+            mgdt_periodic_set_option(other, MGDT_PERIODIC_OPTION_INDEX_BASE, base_) == MGDT_OK,
+            "base");
         if (!points_.empty())
             FUZZ_REQUIRE(
                 mgdt_periodic_insert_points(other, static_cast<std::int64_t>(points_.size()),
@@ -163,7 +165,7 @@ class Session {
                          "no triangulation");
         } else {
             for (std::int32_t which = MGDT_PERIODIC_ARRAY_POINT_MAP;
-                 which <= MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS; ++which) {
+                 which <= MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS; ++which) {
                 std::int64_t size;
                 const mgdt_status known = mgdt_periodic_get_size(p_, which, &size);
                 FUZZ_REQUIRE(known == MGDT_OK || known == MGDT_ERR_UNKNOWN_KEY, message_of(p_));
@@ -176,10 +178,10 @@ class Session {
     }
     void examine() {
         FUZZ_REQUIRE(mgdt_periodic_check(p_) == MGDT_OK, message_of(p_));
-        const std::int64_t vertices = number(p_, MGDT_PERIODIC_VERTICES),
-                           tetrahedra = number(p_, MGDT_PERIODIC_TETRAHEDRA);
+        const std::int64_t vertices = number(p_, MGDT_PERIODIC_STAT_VERTICES),
+                           tetrahedra = number(p_, MGDT_PERIODIC_STAT_TETRAHEDRA);
         if (dimensions_ == 3)
-            FUZZ_REQUIRE(number(p_, MGDT_PERIODIC_EDGES) == vertices + tetrahedra, "Euler");
+            FUZZ_REQUIRE(number(p_, MGDT_PERIODIC_STAT_EDGES) == vertices + tetrahedra, "Euler");
         mgdt_voronoi* diagram = nullptr;
         const mgdt_status status = mgdt_periodic_create_voronoi(p_, &diagram);
         const bool has_cells = tetrahedra > 0 || points_.empty();

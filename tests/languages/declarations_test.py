@@ -65,12 +65,13 @@ for name in set(re.findall(r"\bC\.(mgdt_\w+)", lua_text)) - set(lua):
 BEGINNINGS = {"status": "MGDT_ERR_", "order": "MGDT_ORDER_", "parameter": "MGDT_PARAMETER_",
               "separation": "MGDT_SEPARATION_", "statistic": "MGDT_STAT_", "check": "MGDT_CHECK_",
               "measure": "MGDT_MEASURE_", "tetrahedron": "MGDT_TETRAHEDRON_",
-              "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_", "voronoi": "MGDT_VORONOI_",
+              "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_", "voronoi_stat": "MGDT_VORONOI_STAT_",
+              "voronoi_array": "MGDT_VORONOI_ARRAY_",
               "domain_kind": "MGDT_DOMAIN_KIND_", "domain_option": "MGDT_DOMAIN_OPTION_",
               "domain_stat": "MGDT_DOMAIN_STAT_", "domain_array": "MGDT_DOMAIN_ARRAY_",
               "mesh_option": "MGDT_MESH_OPTION_", "mesh_stat": "MGDT_MESH_STAT_",
               "mesh_array": "MGDT_MESH_ARRAY_",
-              "periodic_option": "MGDT_PERIODIC_", "periodic_number": "MGDT_PERIODIC_",
+              "periodic_option": "MGDT_PERIODIC_OPTION_", "periodic_stat": "MGDT_PERIODIC_STAT_",
               "periodic_array": "MGDT_PERIODIC_ARRAY_"}
 named = {"MGDT_OK": 0}
 for table, entries in re.findall(r"^    (\w+) = \{(.*?)\},$", lua_interface, re.S | re.M):

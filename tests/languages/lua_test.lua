@@ -148,7 +148,7 @@ test("random points: every export as the C interface writes it", function()
         "faces")
     for prefix, planes in pairs { cut = box, whole = {} } do
         local v = t:voronoi(planes)
-        for name in pairs(require("mgdt.interface").voronoi) do
+        for name in pairs(require("mgdt.interface").voronoi_array) do
             local is_integer = tostring(ffi.typeof(v[name])):match("int") ~= nil
             local reference, length = read(prefix .. "_" .. name, is_integer and "int64_t" or "double")
             equal(ffi.sizeof(v[name]) / (is_integer and 4 or 8), length, "length of " .. name)
@@ -632,7 +632,7 @@ test("a periodic box", function()
         same(x, reference, length, name)
     end
     local cells = box:voronoi()
-    for name in pairs(require("mgdt.interface").voronoi) do
+    for name in pairs(require("mgdt.interface").voronoi_array) do
         local is_integer = tostring(ffi.typeof(cells[name])):match("int") ~= nil
         local reference, length = read("periodic_cells_" .. name, is_integer and "int64_t" or "double")
         same(cells[name], reference, length, name)

@@ -147,10 +147,10 @@ function diagrams (folder, t, box)
       assert (v.(name{1}), from_1 (read (folder, [p name{1}], "int64", 1)));
     end
     assert (v.face_sides, from_1 (read (folder, [p "face_sides"], "int64", 2)));
-    assert (size (v.face_images), [0 3]);
+    assert (size (v.face_shifts), [0 3]);
     assert (v.cell_bounded, read (folder, [p "cell_bounded"], "int64", 1));
     assert (v.cell_neighbors, from_1 (read (folder, [p "cell_neighbors"], "int64", 1)));
-    assert (size (v.cell_neighbor_images), [0 3]);
+    assert (size (v.cell_neighbor_shifts), [0 3]);
     for name = {"face_areas", "cell_volumes", "cell_face_areas", "cell_neighbor_distances"}
       assert (v.(name{1}), read (folder, [p name{1}], "double", 1));
     end
@@ -180,19 +180,19 @@ function periodic_box (folder)
                            "cells", true);
   assert (heard > 0);
   for name = {"point_map", "point_map", 1; "tetrahedra", "tetrahedra", 4; "neighbours", "neighbors", 4; ...
-              "vertex_neighbour_starts", "vertex_neighbor_starts", 1; "vertex_neighbours", "vertex_neighbors", 1}'
+              "vertex_neighbour_offsets", "vertex_neighbor_offsets", 1; "vertex_neighbours", "vertex_neighbors", 1}'
     assert (box.(name{1}), from_1 (read (folder, ["periodic_" name{2}], "int64", name{3})));
   end
-  for name = {"point_offsets", "point_offsets", 3; "offsets", "offsets", 12; ...
-              "neighbour_offsets", "neighbor_offsets", 12; ...
-              "vertex_neighbour_offsets", "vertex_neighbor_offsets", 3}'
+  for name = {"point_shifts", "point_shifts", 3; "shifts", "tetrahedron_shifts", 12; ...
+              "neighbour_shifts", "neighbor_shifts", 12; ...
+              "vertex_neighbour_shifts", "vertex_neighbor_shifts", 3}'
     assert (box.(name{1}), read (folder, ["periodic_" name{2}], "int64", name{3}));
   end
   for name = {"points", "points", 3; "vectors", "vectors", 3; "volumes", "volume", 1; "areas", "area", 1; ...
               "faces", "faces", 1; "centroids", "centroid", 3}'
     assert (box.(name{1}), read (folder, ["periodic_" name{2}], "double", name{3}));
   end
-  assert (box.cells.face_images, read (folder, "periodic_cells_face_images", "int64", 3));
+  assert (box.cells.face_shifts, read (folder, "periodic_cells_face_shifts", "int64", 3));
   assert (box.cells.face_sides, from_1 (read (folder, "periodic_cells_face_sides", "int64", 2)));
   assert (box.cells.vertices, read (folder, "periodic_cells_vertices", "double", 3));
   cube = mgdt_periodic_box ([0 0 0; 1 1 1], [2 2 2], "measures", true, "threads", 2);

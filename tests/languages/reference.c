@@ -69,25 +69,25 @@ static void write_diagram(mgdt_voronoi* v, const char* prefix) {
     static const struct {
         int32_t key;
         const char* name;
-    } arrays[] = {{MGDT_VORONOI_FACE_OFFSETS, "face_offsets"},
-                  {MGDT_VORONOI_FACE_CORNERS, "face_corners"},
-                  {MGDT_VORONOI_FACE_SIDES, "face_sides"},
-                  {MGDT_VORONOI_FACE_IMAGES, "face_images"},
-                  {MGDT_VORONOI_RAY_VERTICES, "ray_vertices"},
-                  {MGDT_VORONOI_CELL_OFFSETS, "cell_offsets"},
-                  {MGDT_VORONOI_CELL_FACES, "cell_faces"},
-                  {MGDT_VORONOI_CELL_BOUNDED, "cell_bounded"},
-                  {MGDT_VORONOI_CELL_NEIGHBORS, "cell_neighbors"},
-                  {MGDT_VORONOI_CELL_NEIGHBOR_IMAGES, "cell_neighbor_images"},
-                  {MGDT_VORONOI_CELL_FACE_AREAS, "cell_face_areas"},
-                  {MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES, "cell_neighbor_distances"},
-                  {MGDT_VORONOI_VERTICES, "vertices"},
-                  {MGDT_VORONOI_RAY_DIRECTIONS, "ray_directions"},
-                  {MGDT_VORONOI_FACE_AREAS, "face_areas"},
-                  {MGDT_VORONOI_FACE_NORMALS, "face_normals"},
-                  {MGDT_VORONOI_FACE_CENTROIDS, "face_centroids"},
-                  {MGDT_VORONOI_CELL_VOLUMES, "cell_volumes"},
-                  {MGDT_VORONOI_CELL_CENTROIDS, "cell_centroids"}};
+    } arrays[] = {{MGDT_VORONOI_ARRAY_FACE_OFFSETS, "face_offsets"},
+                  {MGDT_VORONOI_ARRAY_FACE_CORNERS, "face_corners"},
+                  {MGDT_VORONOI_ARRAY_FACE_SIDES, "face_sides"},
+                  {MGDT_VORONOI_ARRAY_FACE_SHIFTS, "face_shifts"},
+                  {MGDT_VORONOI_ARRAY_RAY_VERTICES, "ray_vertices"},
+                  {MGDT_VORONOI_ARRAY_CELL_OFFSETS, "cell_offsets"},
+                  {MGDT_VORONOI_ARRAY_CELL_FACES, "cell_faces"},
+                  {MGDT_VORONOI_ARRAY_CELL_BOUNDED, "cell_bounded"},
+                  {MGDT_VORONOI_ARRAY_CELL_NEIGHBORS, "cell_neighbors"},
+                  {MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS, "cell_neighbor_shifts"},
+                  {MGDT_VORONOI_ARRAY_CELL_FACE_AREAS, "cell_face_areas"},
+                  {MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES, "cell_neighbor_distances"},
+                  {MGDT_VORONOI_ARRAY_VERTICES, "vertices"},
+                  {MGDT_VORONOI_ARRAY_RAY_DIRECTIONS, "ray_directions"},
+                  {MGDT_VORONOI_ARRAY_FACE_AREAS, "face_areas"},
+                  {MGDT_VORONOI_ARRAY_FACE_NORMALS, "face_normals"},
+                  {MGDT_VORONOI_ARRAY_FACE_CENTROIDS, "face_centroids"},
+                  {MGDT_VORONOI_ARRAY_CELL_VOLUMES, "cell_volumes"},
+                  {MGDT_VORONOI_ARRAY_CELL_CENTROIDS, "cell_centroids"}};
     size_t k;
     for (k = 0; k < sizeof arrays / sizeof *arrays; ++k) {
         const int32_t key = arrays[k].key;
@@ -97,7 +97,7 @@ static void write_diagram(mgdt_voronoi* v, const char* prefix) {
         mgdt_status status;
         if (mgdt_voronoi_get_size(v, key, &count) != MGDT_OK) stop("an array without a size");
         values = room(count, 8);
-        if (key < MGDT_VORONOI_VERTICES)
+        if (key < MGDT_VORONOI_ARRAY_VERTICES)
             status = mgdt_voronoi_get_array(v, key, count, values);
         else
             status = mgdt_voronoi_get_doubles(v, key, count, values);
@@ -206,14 +206,14 @@ static void export_periodic(void) {
         int32_t key;
         const char* name;
     } arrays[] = {{MGDT_PERIODIC_ARRAY_POINT_MAP, "point_map"},
-                  {MGDT_PERIODIC_ARRAY_POINT_OFFSETS, "point_offsets"},
+                  {MGDT_PERIODIC_ARRAY_POINT_SHIFTS, "point_shifts"},
                   {MGDT_PERIODIC_ARRAY_TETRAHEDRA, "tetrahedra"},
-                  {MGDT_PERIODIC_ARRAY_OFFSETS, "offsets"},
+                  {MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS, "tetrahedron_shifts"},
                   {MGDT_PERIODIC_ARRAY_NEIGHBORS, "neighbors"},
-                  {MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS, "neighbor_offsets"},
-                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS, "vertex_neighbor_starts"},
-                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, "vertex_neighbors"},
+                  {MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS, "neighbor_shifts"},
                   {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS, "vertex_neighbor_offsets"},
+                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, "vertex_neighbors"},
+                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS, "vertex_neighbor_shifts"},
                   {MGDT_PERIODIC_ARRAY_POINTS, "points"},
                   {MGDT_PERIODIC_ARRAY_VECTORS, "vectors"}};
     static const struct {

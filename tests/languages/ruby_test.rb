@@ -91,7 +91,7 @@ class MgdtTest < Minitest::Test
       assert_equal lists.call("cell_offsets", "cell_neighbors"), v.neighbors
       assert_equal doubles.call("cell_face_areas"), v.neighbor_areas.flatten
       assert_equal doubles.call("cell_neighbor_distances"), v.neighbor_distances.flatten
-      assert_empty v.neighbor_images.flatten
+      assert_empty v.neighbor_shifts.flatten
     end
     all = t.voronoi(box).faces.size
     assert_operator t.voronoi(box, least_area: 0.01).faces.size, :<, all
@@ -153,16 +153,16 @@ class MgdtTest < Minitest::Test
   BOX = [[4, 0, 0], [1.5, 3, 0], [-0.75, 0.5, 2.5]].freeze
 
   def assert_reference_box(box)
-    { tetrahedra: 4, neighbors: 4, point_offsets: 3 }.each do |name, width|
+    { tetrahedra: 4, neighbors: 4, point_shifts: 3 }.each do |name, width|
       assert_equal self.class.integers("periodic_#{name}", width), box.public_send(name), name
     end
-    %i[offsets neighbor_offsets].each do |name|
-      assert_equal self.class.integers("periodic_#{name}", 3).each_slice(4).to_a, box.public_send(name), name
+    { shifts: "tetrahedron_shifts", neighbor_shifts: "neighbor_shifts" }.each do |name, written|
+      assert_equal self.class.integers("periodic_#{written}", 3).each_slice(4).to_a, box.public_send(name), name
     end
     assert_equal self.class.integers("periodic_point_map"), box.point_map
     assert_equal self.class.integers("periodic_vertex_neighbors"), box.vertex_neighbors.flatten
-    assert_equal self.class.integers("periodic_vertex_neighbor_offsets"), box.vertex_neighbor_offsets.flatten
-    assert_equal self.class.integers("periodic_vertex_neighbor_starts").each_cons(2).map { |a, b| b - a },
+    assert_equal self.class.integers("periodic_vertex_neighbor_shifts"), box.vertex_neighbor_shifts.flatten
+    assert_equal self.class.integers("periodic_vertex_neighbor_offsets").each_cons(2).map { |a, b| b - a },
                  box.vertex_neighbors.map(&:size)
     %i[points vectors].each do |name|
       assert_equal self.class.doubles("periodic_#{name}"), box.public_send(name).flatten, name
@@ -181,7 +181,7 @@ class MgdtTest < Minitest::Test
     assert_same box, box.check
     assert_includes box.inspect, "40 points, 3 vectors"
     cells = box.voronoi
-    assert_equal self.class.integers("periodic_cells_face_images", 3), cells.images
+    assert_equal self.class.integers("periodic_cells_face_shifts", 3), cells.shifts
     assert_equal self.class.integers("periodic_cells_face_sides", 2), cells.sides
     assert_equal self.class.doubles("periodic_cells_cell_volumes"), cells.volumes
     assert_operator box.voronoi(least_area: 0.5).faces.size, :<, cells.faces.size

@@ -34,9 +34,9 @@ class Examination {
         p_.insert(xyz);
         p_.build();
         tetrahedra_ = p_.array(mgdt::PeriodicArray::tetrahedra);
-        offsets_ = p_.array(mgdt::PeriodicArray::offsets);
+        offsets_ = p_.array(mgdt::PeriodicArray::tetrahedron_shifts);
         neighbors_ = p_.array(mgdt::PeriodicArray::neighbors);
-        neighbor_offsets_ = p_.array(mgdt::PeriodicArray::neighbor_offsets);
+        neighbor_offsets_ = p_.array(mgdt::PeriodicArray::neighbor_shifts);
     }
     void run(int copies) {
         const std::vector<mgdt::Point> points = p_.points();
@@ -55,8 +55,8 @@ class Examination {
         const Integer determinant = oracle::dot(oracle::cross(a, b), c);
         EXPECT_EQ(sum, 6 * (determinant < 0 ? Integer(-determinant) : determinant));
         EXPECT_EQ(
-            p_.statistic(mgdt::PeriodicNumber::edges),
-            p_.statistic(mgdt::PeriodicNumber::vertices) + static_cast<std::int64_t>(count()));
+            p_.statistic(mgdt::PeriodicStatistic::edges),
+            p_.statistic(mgdt::PeriodicStatistic::vertices) + static_cast<std::int64_t>(count()));
     }
 
   private:

@@ -103,7 +103,7 @@ TEST(Threads, ConstCallsOnAPeriodicBox) {
         std::vector<std::vector<std::int64_t>> seen;
         for (const mgdt::PeriodicArray array :
              {mgdt::PeriodicArray::neighbors, mgdt::PeriodicArray::tetrahedra,
-              mgdt::PeriodicArray::vertex_neighbors, mgdt::PeriodicArray::offsets})
+              mgdt::PeriodicArray::vertex_neighbors, mgdt::PeriodicArray::tetrahedron_shifts})
             seen.push_back(p.array(array));
         double sum = 0;
         for (const double v : p.cell_measures(mgdt::Measure::volume)) sum += v;
@@ -139,7 +139,7 @@ TEST(Threads, CancelABuildInABox) {
     });
     EXPECT_THROW(p.build(), mgdt::Cancelled);
     other.join();
-    EXPECT_EQ(p.statistic(mgdt::PeriodicNumber::vertices), 0);
+    EXPECT_EQ(p.statistic(mgdt::PeriodicStatistic::vertices), 0);
 }
 
 // The stop comes from another thread once the insertion reports its first progress.

@@ -20,11 +20,11 @@ MAKERS: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
     "Voronoi": (lambda: mgdt.Voronoi(POINTS), ("vertices", "ridge_points", "areas")),
     "PeriodicDelaunay": (
         lambda: mgdt.PeriodicDelaunay(POINTS, [1] * 3),
-        ("points", "simplices", "offsets", "neighbors", "neighbor_offsets", "volumes", "areas"),
+        ("points", "simplices", "shifts", "neighbors", "neighbor_shifts", "volumes", "areas"),
     ),
     "PeriodicVoronoi": (
         lambda: mgdt.PeriodicVoronoi(POINTS, [1] * 3),
-        ("vertices", "ridge_points", "ridge_images", "volumes", "areas"),
+        ("vertices", "ridge_points", "ridge_shifts", "volumes", "areas"),
     ),
     "DomainMesh": (
         lambda: mgdt.DomainMesh(TETRAHEDRON, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]),

@@ -34,12 +34,12 @@ class PeriodicDelaunay(unittest.TestCase):
             self.assertAlmostEqual(mesh.volumes.sum(), 30, places=10)
             indptr, indices = mesh.vertex_neighbor_vertices
             self.assertEqual(len(indices), 2 * (100 + len(mesh.simplices)))
-            self.assertEqual(mesh.vertex_neighbor_offsets.shape, (len(indices), 3))
+            self.assertEqual(mesh.vertex_neighbor_shifts.shape, (len(indices), 3))
             self.assertEqual(len(indptr), 101)
             # A corner, as its neighbour has it.
             for k in range(4):
                 near = mesh.neighbors[:, k]
-                places = mesh.places(near) + (mesh.neighbor_offsets[:, k] @ mesh.vectors)[:, None]
+                places = mesh.places(near) + (mesh.neighbor_shifts[:, k] @ mesh.vectors)[:, None]
                 both = np.concatenate([np.delete(mesh.places(), k, axis=1), places], axis=1)
                 shared = [len(np.unique(rows.round(9), axis=0)) for rows in both]
                 self.assertEqual(set(shared), {4})
@@ -52,14 +52,14 @@ class PeriodicDelaunay(unittest.TestCase):
             self.assertEqual(len(near.indptr), 83)
             self.assertEqual(near.indptr[82], near.indptr[81])  # it repeats the one before
             where = np.repeat(np.arange(82), np.diff(near.indptr))
-            places = cells.points[near.neighbors] + near.images[:, : len(box)] @ cells.delaunay.vectors
+            places = cells.points[near.neighbors] + near.shifts[:, : len(box)] @ cells.delaunay.vectors
             apart = np.linalg.norm(places - cells.points[where], axis=1)
             self.assertTrue(np.allclose(near.distances, apart, rtol=1e-13))
             # What one point says of a neighbour, the neighbour says of it.
             said = {
                 (a, b, *image): (area, distance)
                 for a, b, image, area, distance in zip(
-                    where.tolist(), near.neighbors.tolist(), near.images.tolist(),
+                    where.tolist(), near.neighbors.tolist(), near.shifts.tolist(),
                     near.areas.tolist(), near.distances.tolist(),
                 )
             }
@@ -80,11 +80,11 @@ class PeriodicDelaunay(unittest.TestCase):
         self.assertTrue((other.simplices == mesh.simplices).all())
         self.assertTrue((other.volumes == mesh.volumes).all())
         self.assertTrue((other.centroids == mesh.centroids).all())
-        own = other.offsets + shift[other.simplices]
-        self.assertTrue((own - own[:, :1] == mesh.offsets).all())
+        own = other.shifts + shift[other.simplices]
+        self.assertTrue((own - own[:, :1] == mesh.shifts).all())
         both = mgdt.PeriodicDelaunay(np.concatenate([points, points + shift @ OBLIQUE]), OBLIQUE)
         self.assertTrue((both.point_map[60:] == np.arange(60)).all())
-        self.assertTrue((both.point_offsets[60:] == shift).all())
+        self.assertTrue((both.point_shifts[60:] == shift).all())
         self.assertTrue((both.volumes[60:] == 0).all())
 
     def test_slabs_and_wires(self) -> None:
@@ -92,7 +92,7 @@ class PeriodicDelaunay(unittest.TestCase):
         slab = mgdt.PeriodicDelaunay(points, np.eye(3), [True, True, False])
         slab.check()
         self.assertEqual(slab.vectors.shape, (2, 3))
-        self.assertTrue((slab.offsets[..., 2] == 0).all())
+        self.assertTrue((slab.shifts[..., 2] == 0).all())
         self.assertTrue((slab.neighbors == -1).any())
         again = mgdt.PeriodicDelaunay(points, np.eye(3)[:2])
         self.assertTrue((again.simplices == slab.simplices).all())
@@ -111,7 +111,7 @@ class PeriodicDelaunay(unittest.TestCase):
             mesh.move(points)
             fresh = mgdt.PeriodicDelaunay(points, OBLIQUE)
             self.assertTrue((mesh.simplices == fresh.simplices).all())
-            self.assertTrue((mesh.offsets == fresh.offsets).all())
+            self.assertTrue((mesh.shifts == fresh.shifts).all())
         self.assertFalse((mesh.volumes == before).all())
         self.assertTrue((mesh.volumes == fresh.volumes).all())
 
@@ -202,16 +202,16 @@ class PeriodicVoronoi(unittest.TestCase):
         self.assertTrue(np.allclose(cells.centroids - points, mesh.centroids))
         np.testing.assert_allclose(cells.areas, mesh.areas, rtol=1e-11)
         self.assertEqual([len(n) for n in cells.neighbors], mesh.face_counts.tolist())
-        self.assertEqual([len(n) for n in cells.neighbor_images], mesh.face_counts.tolist())
+        self.assertEqual([len(n) for n in cells.neighbor_shifts], mesh.face_counts.tolist())
         # Every face separates its two sides in the middle.
         first, second = cells.ridge_points.T
-        way = points[second] + cells.ridge_images @ OBLIQUE - points[first]
+        way = points[second] + cells.ridge_shifts @ OBLIQUE - points[first]
         length = np.linalg.norm(way, axis=1)
         self.assertTrue(np.allclose(way / length[:, None], cells.ridge_normals))
         height = np.einsum("ij,ij->i", cells.ridge_centroids - points[first], cells.ridge_normals)
         self.assertTrue(np.allclose(height, length / 2))
         # Both sides know of each other.
-        known = {(i, j, *image) for i in range(150) for j, image in zip(cells.neighbors[i], cells.neighbor_images[i])}
+        known = {(i, j, *image) for i in range(150) for j, image in zip(cells.neighbors[i], cells.neighbor_shifts[i])}
         self.assertEqual(known, {(j, i, *(-k for k in image)) for i, j, *image in known})
         # The corners of a cell are as far from its point as from the others around.
         for region, point in zip(cells.regions, points):
@@ -254,7 +254,7 @@ class Merging(unittest.TestCase):
         stay = np.unique(box.point_map)
         self.assertEqual(len(stay), 64)
         np.testing.assert_allclose(box.volumes[stay], 14.44**3 / 64, rtol=1e-9)
-        images = box.points[box.point_map] + box.point_offsets @ box.vectors
+        images = box.points[box.point_map] + box.point_shifts @ box.vectors
         np.testing.assert_allclose(images, box.points, atol=1e-9)
         twin = copy.copy(box)
         self.assertEqual(len(np.unique(twin.point_map)), 64)

@@ -208,7 +208,7 @@ class Voronoi(unittest.TestCase):
         self.assertIs(cells.neighbor_list, near)
         where = np.repeat(np.arange(60), np.diff(near.indptr))
         self.assertEqual(near.neighbors.tolist(), sum(cells.neighbors, []))
-        self.assertFalse(near.images.any())
+        self.assertFalse(near.shifts.any())
         planes = near.neighbors < 0
         self.assertEqual(set(near.neighbors[planes]), set(range(-7, 0)))
         apart = np.linalg.norm(points[near.neighbors] - points[where], axis=1)

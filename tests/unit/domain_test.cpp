@@ -315,7 +315,6 @@ TEST(Domain, CheckFindsChanges) {
     s.markers[3] = 7;
     give(domain, s);
     domain.build();
-    Allocator allocator;
     const auto expect_found = [&](auto& array, std::size_t i, auto value) {
         const auto before = array[i];
         if (before == value) return;
@@ -342,7 +341,6 @@ TEST(Domain, CheckFindsChanges) {
 
 // Meshes that every face and every tetrahedron by itself would pass.
 TEST(Domain, CheckFindsWhatIsLeftOut) {
-    Allocator allocator;
     const auto expect_found = [&](const MeshedDomain& domain, const char* message) {
         const Error error = error_of([&] { domain.check(); });
         EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);

@@ -118,7 +118,7 @@ TEST(Merging, NearImages) {
                 // The offset leads from the vertex to the point.
                 ASSERT_TRUE(find_near_image(vectors, &points[3 * vertex], &points[3 * p],
                                             1.01 * distance, of));
-                const Offset found = box.offset_from(p, {vertex, {}});
+                const Offset found = box.shift_from(p, {vertex, {}});
                 EXPECT_EQ(found, of) << p;
             }
             EXPECT_GT(merged, 15u);

@@ -62,8 +62,8 @@ TEST(Periodic, OffsetsGivePlaces) {
             std::array<double, 3> x[4];
             for (unsigned k = 0; k < 4; ++k) {
                 const Image image = built.tetrahedra()[i].corners[k];
-                x[k] = built.place(
-                    image.point, built.offset_from(built.tetrahedra()[i].corners[0].point, image));
+                x[k] = built.place(image.point,
+                                   built.shift_from(built.tetrahedra()[i].corners[0].point, image));
             }
             double v[3][3];
             for (unsigned k = 0; k < 3; ++k)
@@ -134,7 +134,7 @@ TEST(Periodic, DoesNotDependOnTheImagesThatAreGiven) {
             const auto first = built.place(corners[0].point, {});
             for (unsigned k = 0; k < 4; ++k) {
                 const auto x =
-                    built.place(corners[k].point, built.offset_from(corners[0].point, corners[k]));
+                    built.place(corners[k].point, built.shift_from(corners[0].point, corners[k]));
                 relative.push_back(corners[k].point);
                 for (unsigned c = 0; c < 3; ++c) relative.push_back(x[c] - first[c]);
             }

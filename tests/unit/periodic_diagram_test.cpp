@@ -72,8 +72,8 @@ TEST(PeriodicDiagram, CellsAreClosedAndAgree) {
                     EXPECT_GE(is_first ? height : -height, 0);
                     std::array<std::int64_t, 3> of = {};
                     for (unsigned k = 0; k < 3; ++k)
-                        of[k] = is_first ? diagram.face_images[3 * f + k]
-                                         : -diagram.face_images[3 * f + k];
+                        of[k] = is_first ? diagram.face_shifts[3 * f + k]
+                                         : -diagram.face_shifts[3 * f + k];
                     const std::uint32_t other = d.face_sides[2 * f + (is_first ? 1 : 0)];
                     EXPECT_TRUE(areas.insert({{p, other, of}, d.areas[f]}).second);
                 }
@@ -122,7 +122,7 @@ TEST(PeriodicDiagram, ListsWhatIsSharedOnce) {
                 const Diagram d(built);
                 std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
                 for (std::size_t f = 0; f < d.face_count(); ++f) {
-                    const auto image = d.face_images.begin() + 3 * f;
+                    const auto image = d.face_shifts.begin() + 3 * f;
                     if (image[0] != 0 || image[1] != 0 || image[2] != 0) continue;
                     const std::uint32_t p = d.face_sides[2 * f], q = d.face_sides[2 * f + 1];
                     EXPECT_LT(p, q);
@@ -164,7 +164,7 @@ TEST(PeriodicDiagram, VerticesAreTheNearestDoubles) {
                 for (std::size_t f = 0; f < d.face_count(); ++f)
                     for (std::uint64_t c = d.face_begin[f]; c < d.face_begin[f + 1]; ++c) {
                         if ((d.face_corners[c] & VoronoiDiagram::ray) != 0) continue;
-                        const std::int64_t* const of = d.face_images.begin() + 3 * f;
+                        const std::int64_t* const of = d.face_shifts.begin() + 3 * f;
                         std::set<Place>& points = around[d.face_corners[c]];
                         points.insert(built.place(d.face_sides[2 * f], {}));
                         points.insert(built.place(d.face_sides[2 * f + 1], {of[0], of[1], of[2]}));
@@ -208,8 +208,8 @@ TEST(PeriodicDiagram, CentroidsNearTheOrigin) {
             const std::array<double, 3> p = built.place(d.face_sides[2 * f], {}),
                                         q = built.place(
                                             d.face_sides[2 * f + 1],
-                                            {d.face_images[3 * f], d.face_images[3 * f + 1],
-                                             d.face_images[3 * f + 2]});
+                                            {d.face_shifts[3 * f], d.face_shifts[3 * f + 1],
+                                             d.face_shifts[3 * f + 2]});
             double height = 0, length = 0, distance = 0;
             for (std::size_t c = 0; c < 3; ++c) {
                 const double way = q[c] - p[c], from = d.face_centroids[3 * f + c] - p[c];

@@ -464,7 +464,7 @@ TEST(PeriodicDiagram, IsSetAnewByEachBuild) {
     EXPECT_EQ(diagram.cell_count(), 3u);
     build_periodic_diagram(many, cancelled.request(), diagram);
     EXPECT_EQ(diagram.face_count(), faces);
-    EXPECT_EQ(diagram.face_images.size(), 3 * faces);
+    EXPECT_EQ(diagram.face_shifts.size(), 3 * faces);
 }
 
 // The cells of a slab's outermost points are unbounded.

@@ -141,6 +141,7 @@ const char *mgdt_isa_name(const mgdt_triangulation *t);
 int32_t mgdt_voronoi_create(const mgdt_triangulation *t, int64_t n_planes, const double *planes,
                             mgdt_voronoi **out);
 void mgdt_voronoi_destroy(mgdt_voronoi *v);
+int32_t mgdt_voronoi_get_stat(const mgdt_voronoi *v, int32_t key, int64_t *value);
 int32_t mgdt_voronoi_array_info(int32_t array, int32_t *columns, int32_t *is_double);
 int32_t mgdt_voronoi_get_size(const mgdt_voronoi *v, int32_t array, int64_t *size);
 int32_t mgdt_voronoi_get_array(const mgdt_voronoi *v, int32_t array, int64_t capacity,
@@ -149,7 +150,7 @@ int32_t mgdt_voronoi_get_array_i32(const mgdt_voronoi *v, int32_t array, int64_t
                                    int32_t *values);
 int32_t mgdt_voronoi_get_doubles(const mgdt_voronoi *v, int32_t array, int64_t capacity,
                                  double *values);
-int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double area, double relative);
+int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double least_area, double least_share);
 int32_t mgdt_voronoi_get_error(const mgdt_voronoi *v, int64_t capacity, char *buffer);
 void mgdt_mesh_destroy(mgdt_mesh *m);
 int32_t mgdt_mesh_set_option(mgdt_mesh *m, int32_t option, int64_t value);
@@ -258,11 +259,12 @@ return {
         longest_edge = 40 },
     method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
     outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
-    voronoi = { face_offsets = 10, face_corners = 11, face_sides = 12, face_images = 13,
-        ray_vertices = 20, cell_offsets = 30, cell_faces = 31, cell_bounded = 32,
-        cell_neighbors = 33, cell_neighbor_images = 34, vertices = 50, ray_directions = 51,
-        face_areas = 60, face_normals = 61, face_centroids = 62, cell_volumes = 70,
-        cell_centroids = 71, cell_face_areas = 72, cell_neighbor_distances = 73 },
+    voronoi_stat = { vertices = 100, rays = 101, faces = 102, points = 103, memory_bytes = 110 },
+    voronoi_array = { face_offsets = 200, face_corners = 201, face_sides = 202, face_shifts = 203,
+        ray_vertices = 210, cell_offsets = 220, cell_faces = 221, cell_bounded = 222,
+        cell_neighbors = 223, cell_neighbor_shifts = 224, vertices = 300, ray_directions = 310,
+        face_areas = 320, face_normals = 321, face_centroids = 322, cell_volumes = 330,
+        cell_centroids = 331, cell_face_areas = 332, cell_neighbor_distances = 333 },
     mesh_option = { index_base = 10, threads = 20, memory_limit = 30 },
     mesh_stat = { points = 100, steiner_points = 101, tetrahedra = 102, regions = 103, faces = 104,
         edges = 105, memory_bytes = 110, is_rounded = 120, grid_bits = 121, unused_points = 130,
@@ -279,9 +281,10 @@ return {
         memory_bytes = 110, offending_pairs = 120, open_edges = 121 },
     domain_array = { offending_pairs = 200, open_edges = 210 },
     periodic_option = { index_base = 10, threads = 20, memory_limit = 30 },
-    periodic_number = { given_points = 10, memory_bytes = 15, dimensions = 16, vertices = 20,
-        tetrahedra = 21, edges = 22, images = 23, rounds = 24 },
-    periodic_array = { point_map = 10, point_offsets = 11, tetrahedra = 20, offsets = 21,
-        neighbors = 22, neighbor_offsets = 23, vertex_neighbor_starts = 30, vertex_neighbors = 31,
-        vertex_neighbor_offsets = 32, points = 50, vectors = 51 },
+    periodic_stat = { points = 100, vertices = 101, tetrahedra = 102, edges = 103, dimensions = 104,
+        memory_bytes = 110, images = 120, rounds = 121 },
+    periodic_array = { point_map = 200, point_shifts = 201, tetrahedra = 210,
+        tetrahedron_shifts = 211, neighbors = 212, neighbor_shifts = 213,
+        vertex_neighbor_offsets = 220, vertex_neighbors = 221, vertex_neighbor_shifts = 222,
+        points = 300, vectors = 301 },
 }

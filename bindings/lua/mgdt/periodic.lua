@@ -7,32 +7,11 @@ local constants = require "mgdt.interface"
 local arguments = require "mgdt.arguments"
 local diagram = require "mgdt.diagram"
 
-local status, options, arrays = constants.status, constants.periodic_option, constants.periodic_array
+local status, arrays = constants.status, constants.periodic_array
 local raise, bad_argument = arguments.raise, arguments.bad_argument
 local whole, real, rows_of, choice = arguments.whole, arguments.real, arguments.rows_of, arguments.choice
-local ensure, message_of = arguments.raiser(C.mgdt_periodic_get_error)
-
--- How many elements of an array belong together, where they are more than one.
-local widths = { point_offsets = 3, tetrahedra = 4, offsets = 12, neighbors = 4, neighbor_offsets = 12,
-    vertex_neighbor_offsets = 3, points = 3, vectors = 3 }
-
-local function get(handle, name)
-    local key, size, width = arrays[name], ffi.new("int64_t[1]"), widths[name]
-    local element = key < arrays.points and "int32_t" or "double"
-    ensure(handle, C.mgdt_periodic_get_size(handle, key, size))
-    local length = tonumber(size[0])
-    local array = width and ffi.new(("%s[?][%d]"):format(element, width), length / width)
-        or ffi.new(element .. "[?]", length)
-    local read = element == "double" and C.mgdt_periodic_get_doubles or C.mgdt_periodic_get_array_i32
-    ensure(handle, read(handle, key, length, ffi.cast(element .. " *", array)))
-    return array, length / (width or 1)
-end
-
-local function number(handle, name)
-    local value = ffi.new("int64_t[1]")
-    ensure(handle, C.mgdt_periodic_get_stat(handle, constants.periodic_number[name], value))
-    return tonumber(value[0])
-end
+local of_box = require("mgdt.keyed").of "periodic"
+local ensure, message_of = of_box.ensure, of_box.message_of
 
 -- The vectors of a box: three lengths, or up to three vectors.
 local function vectors_of(box)
@@ -45,23 +24,8 @@ local function vectors_of(box)
 end
 
 local function build(handle, progress)
-    if progress == nil then return ensure(handle, C.mgdt_periodic_build(handle)) end
-    if type(progress) ~= "function" then bad_argument("the progress function is no function") end
-    local failed, problem = false, nil
-    local callback = ffi.cast("mgdt_progress_fn", function(fraction)
-        -- Nothing may be thrown through the library.
-        local good, stop = pcall(progress, fraction)
-        if not good then failed, problem = true, stop end
-        return (not good or stop) and 1 or 0
-    end)
-    C.mgdt_periodic_set_progress(handle, callback, nil)
-    local value = C.mgdt_periodic_build(handle)
-    C.mgdt_periodic_set_progress(handle, nil, nil)
-    callback:free()
-    if failed then error(problem, 0) end
-    ensure(handle, value)
+    ensure(handle, of_box.watch(handle, progress, C.mgdt_periodic_build))
 end
-jit.off(build, true)
 
 local Box = {}
 Box.__index = Box
@@ -70,13 +34,13 @@ local function read(self)
     local handle = self.handle
     for name in pairs(arrays) do
         local count
-        self[name], count = get(handle, name)
+        self[name], count = of_box.get(handle, name)
         if name == "points" then self.point_count = count end
         if name == "tetrahedra" then self.tetrahedron_count = count end
         if name == "vectors" then self.vector_count = count end
     end
-    self.vertex_count = number(handle, "vertices")
-    self.edge_count = number(handle, "edges")
+    self.vertex_count = of_box.statistic(handle, "vertices")
+    self.edge_count = of_box.statistic(handle, "edges")
 end
 
 --- Moves all points, given as for insert(), as in a time step. The arrays are read anew.
@@ -107,7 +71,7 @@ function Box:cell_measures(measure)
 end
 jit.off(Box.cell_measures)
 
---- The Voronoi diagram of the points, a table as that of voronoi() of a triangulation. face_images[k][0]
+--- The Voronoi diagram of the points, a table as that of voronoi() of a triangulation. face_shifts[k][0]
 --- to [k][2] say which image of the second point a face is between.
 function Box:voronoi(least_area, least_share)
     least_area, least_share = real(least_area or 0, "least_area"), real(least_share or 0, "least_share")
@@ -132,9 +96,10 @@ local periodic = {}
 --- merge_distance (points that have images within this distance of each other become equal; 0), and progress, a
 --- function as for set_progress().
 ---
---- The result has the arrays points, vectors, tetrahedra, offsets, neighbors, neighbor_offsets, point_offsets and
---- vertex_neighbor_offsets, with [k][0] and so on (offsets of tetrahedra have twelve numbers each), and
---- point_map, vertex_neighbor_starts and vertex_neighbors; mgdt/mgdt_periodic.h says what they are.
+--- The result has the arrays points, vectors, tetrahedra, tetrahedron_shifts, neighbors, neighbor_shifts,
+--- point_shifts and vertex_neighbor_shifts, with [k][0] and so on (shifts of tetrahedra have twelve numbers
+--- each), and
+--- point_map, vertex_neighbor_offsets and vertex_neighbors; mgdt/mgdt_periodic.h says what they are.
 --- point_count, vector_count, vertex_count, edge_count and tetrahedron_count say how many there are.
 --- Since 1.3.
 function periodic.periodic_box(given)
@@ -149,10 +114,9 @@ function periodic.periodic_box(given)
     if value == status.invalid_argument then raise(value, "the vectors of the box do not span, or hardly") end
     if value ~= 0 then raise(value, ffi.string(C.mgdt_status_string(value))) end
     local handle = ffi.gc(out[0], C.mgdt_periodic_destroy)
-    ensure(handle, C.mgdt_periodic_set_option(handle, options.index_base, whole(given.index_base or 0, "index_base")))
-    ensure(handle, C.mgdt_periodic_set_option(handle, options.threads, whole(given.threads or 1, "threads")))
-    ensure(handle, C.mgdt_periodic_set_option(handle, options.memory_limit,
-        whole(given.memory_limit or 0, "memory_limit")))
+    of_box.set_option(handle, "index_base", whole(given.index_base or 0, "index_base"))
+    of_box.set_option(handle, "threads", whole(given.threads or 1, "threads"))
+    of_box.set_option(handle, "memory_limit", whole(given.memory_limit or 0, "memory_limit"))
     ensure(handle, C.mgdt_periodic_set_merge_distance(handle, real(given.merge_distance or 0, "merge_distance")))
     ensure(handle, C.mgdt_periodic_insert_points(handle, count, xyz))
     build(handle, given.progress)

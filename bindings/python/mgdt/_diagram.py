@@ -11,17 +11,26 @@ from typing import Any, Callable, Iterator, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _errors, _library
-from ._arrays import FloatArray, IndexArray, address
+from . import _errors
+from ._arrays import FloatArray, IndexArray
 from ._interface import CONSTANTS
+from ._keyed import Keyed
 
 _T = TypeVar("_T")
+
+
+class Cells(Keyed):
+    """A diagram of the library."""
+
+    kind = "voronoi"
+
+
 # The other arrays follow from these, and are made when they are asked for.
-_ARRAYS = {
-    name: key
-    for name, key in CONSTANTS["voronoi"].items()
+_ARRAYS = [
+    name
+    for name in CONSTANTS["voronoi_array"]
     if "neighbor" not in name and name != "cell_face_areas"
-}
+]
 
 
 class NeighborList(NamedTuple):
@@ -33,7 +42,7 @@ class NeighborList(NamedTuple):
     indptr : ndarray of int, shape (n + 1,)
     neighbors : ndarray of int, shape (m,)
         The points whose cells share a face with the cell; -1 - k for plane k of the region.
-    images : ndarray of int, shape (m, 3)
+    shifts : ndarray of int, shape (m, 3)
         How often each vector of the periodic box has to be added to the neighbour to get its image at
         the face; 0 if there is no box.
     areas, distances : ndarray of float, shape (m,)
@@ -42,21 +51,9 @@ class NeighborList(NamedTuple):
 
     indptr: IndexArray
     neighbors: IndexArray
-    images: IndexArray
+    shifts: IndexArray
     areas: FloatArray
     distances: FloatArray
-
-
-def _array(diagram: ctypes.c_void_p, key: int) -> NDArray[Any]:
-    library, size = _library.library, ctypes.c_int64()
-    library.mgdt_voronoi_get_size(diagram, key, ctypes.byref(size))
-    is_real = key >= _ARRAYS["vertices"]
-    values = np.empty(size.value, dtype=np.float64 if is_real else np.int32)
-    name = "mgdt_voronoi_get_doubles" if is_real else "mgdt_voronoi_get_array_i32"
-    status = getattr(library, name)(diagram, key, size.value, address(values))
-    if status != _errors.OK:
-        raise _errors.make(status, "the diagram is too large for indices of 32 bits")
-    return values
 
 
 def cell_areas(arrays: dict[str, NDArray[Any]]) -> FloatArray:
@@ -73,17 +70,13 @@ def cell_areas(arrays: dict[str, NDArray[Any]]) -> FloatArray:
 def taken_diagram(diagram: ctypes.c_void_p, area: float, share: float) -> dict[str, NDArray[Any]]:
     """The arrays of a diagram of the library by their names, without the faces that are smaller, and then
     "cell_areas", with them. The diagram is freed."""
+    cells = Cells(diagram)
     more = {}
-    try:
-        if area > 0 or share > 0:
-            names = ("cell_offsets", "cell_faces", "face_areas")
-            more["cell_areas"] = cell_areas({name: _array(diagram, _ARRAYS[name]) for name in names})
-            status = _library.library.mgdt_voronoi_drop_small_faces(diagram, area, share)
-            if status != _errors.OK:
-                raise _errors.make(status, "memory for the faces that stay was refused")
-        return {**{name: _array(diagram, key) for name, key in _ARRAYS.items()}, **more}
-    finally:
-        _library.library.mgdt_voronoi_destroy(diagram)
+    if area > 0 or share > 0:
+        names = ("cell_offsets", "cell_faces", "face_areas")
+        more["cell_areas"] = cell_areas({name: cells.array(name) for name in names})
+        cells.call("drop_small_faces", area, share)
+    return {**{name: cells.array(name) for name in _ARRAYS}, **more}
 
 
 def blocks(count: int, is_left: Callable[[], bool]) -> Iterator[slice]:
@@ -128,11 +121,11 @@ class Diagram:
                 "there are no cells: all points are in one plane, or fewer than four",
             )
         arrays = self._arrays
-        self.vertices: FloatArray = arrays["vertices"].reshape(-1, 3)
-        self.ridge_points: IndexArray = arrays["face_sides"].reshape(-1, 2)
+        self.vertices: FloatArray = arrays["vertices"]
+        self.ridge_points: IndexArray = arrays["face_sides"]
         self.ridge_areas: FloatArray = arrays["face_areas"]
-        self.ridge_normals: FloatArray = arrays["face_normals"].reshape(-1, 3)
-        self.ridge_centroids: FloatArray = arrays["face_centroids"].reshape(-1, 3)
+        self.ridge_normals: FloatArray = arrays["face_normals"]
+        self.ridge_centroids: FloatArray = arrays["face_centroids"]
         self.ray_vertices: IndexArray = arrays["ray_vertices"]
         self.ray_directions: FloatArray = arrays["ray_directions"].reshape(-1, 3)
         self.volumes: FloatArray = arrays["cell_volumes"]
@@ -224,7 +217,7 @@ class Diagram:
         """For each face of each cell the cell, the other side, and whether the cell is the first side."""
         faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
         cells = np.repeat(np.arange(len(self.points), dtype=np.int32), np.diff(offsets))
-        first, second = self._arrays["face_sides"][2 * faces], self._arrays["face_sides"][2 * faces + 1]
+        first, second = self._arrays["face_sides"][faces].T
         is_first = first == cells
         return cells, np.where(is_first, second, first), is_first
 
@@ -236,11 +229,11 @@ class Diagram:
     def _make_neighbor_list(self, _is_left: Callable[[], bool]) -> NeighborList:
         cells, others, is_first = self._other_sides()
         faces = self._arrays["cell_faces"]
-        images = np.zeros((len(faces), 3), dtype=np.int32)
-        if len(self._arrays["face_images"]):
-            images = self._arrays["face_images"].reshape(-1, 3)[faces]
-            images[~is_first] *= -1
-        ways = self._places(others, images) - self.points[cells]
+        shifts = np.zeros((len(faces), 3), dtype=np.int32)
+        if len(self._arrays["face_shifts"]):
+            shifts = self._arrays["face_shifts"][faces]
+            shifts[~is_first] *= -1
+        ways = self._places(others, shifts) - self.points[cells]
         distances = np.sqrt(np.einsum("ij,ij->i", ways, ways))
         is_plane = others < 0
         if is_plane.any():
@@ -250,9 +243,9 @@ class Diagram:
             )
             distances[is_plane] = heights / np.linalg.norm(planes[:, :3], axis=1)
         return NeighborList(
-            self._arrays["cell_offsets"], others, images, self._arrays["face_areas"][faces], distances
+            self._arrays["cell_offsets"], others, shifts, self._arrays["face_areas"][faces], distances
         )
 
-    def _places(self, points: IndexArray, images: IndexArray) -> FloatArray:
+    def _places(self, points: IndexArray, shifts: IndexArray) -> FloatArray:
         """Where images of points are."""
         raise NotImplementedError

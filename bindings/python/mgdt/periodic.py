@@ -4,22 +4,22 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_int64, c_void_p
+from ctypes import c_void_p
 from functools import cached_property, partial
 from typing import Any, Callable, Optional, Sequence, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _errors, _library
+from . import _errors
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._diagram import Diagram, cell_areas, lists, taken_diagram
-from ._gate import Gate, free, interruptibly
+from ._gate import Gate, interruptibly
 from ._interface import CONSTANTS
+from ._keyed import Keyed
 from ._triangulation import LONG_EXPORT
 
-_MESSAGE_BYTES = 512
 _T = TypeVar("_T")
 
 
@@ -45,65 +45,21 @@ def _vectors(box: ArrayLike, periodic: Optional[Sequence[bool]]) -> FloatArray:
     return np.ascontiguousarray(array)
 
 
-class _Box:
+class _Box(Keyed):
     """A periodic box of the library."""
 
+    kind = "periodic"
+
     def __init__(self, vectors: FloatArray) -> None:
-        self._pointer = c_void_p()
-        status = self._function("create")(len(vectors), address(vectors), ctypes.byref(self._pointer))
+        pointer = c_void_p()
+        status = self._function("create")(len(vectors), address(vectors), ctypes.byref(pointer))
         if status == _errors.INVALID_ARGUMENT:
             raise _errors.make(status, f"the vectors of the box do not span, or hardly: {vectors.tolist()}")
         if status == _errors.NOT_FINITE:
             raise _errors.make(status, f"a vector of the box is not finite: {vectors.tolist()}")
         if status != _errors.OK:
             raise _errors.make(status, "the library made no box: out of memory")
-
-    def __del__(self) -> None:
-        if getattr(self, "_pointer", None):
-            free(self._function("destroy"), self._pointer)
-
-    @staticmethod
-    def _function(name: str) -> Callable[..., Any]:
-        function: Callable[..., Any] = getattr(_library.library, "mgdt_periodic_" + name)
-        return function
-
-    def quiet(self, name: str, *arguments: Any) -> int:
-        return int(self._function(name)(self._pointer, *arguments))
-
-    def call(self, name: str, *arguments: Any) -> None:
-        status = self.quiet(name, *arguments)
-        if status != _errors.OK:
-            buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
-            self.quiet("get_error", _MESSAGE_BYTES, buffer)
-            raise _errors.make(status, _library.text(buffer.value))
-
-    def number(self, name: str) -> int:
-        value = c_int64()
-        self.call("get_stat", CONSTANTS["periodic_number"][name], ctypes.byref(value))
-        return value.value
-
-    def _size(self, key: int) -> int:
-        size = c_int64()
-        self.call("get_size", key, ctypes.byref(size))
-        return size.value
-
-    def integers(self, name: str) -> IndexArray:
-        key = CONSTANTS["periodic_array"][name]
-        values = np.empty(self._size(key), np.int32)
-        self.call("get_array_i32", key, values.size, address(values))
-        return values
-
-    def long_integers(self, name: str) -> NDArray[np.int64]:
-        key = CONSTANTS["periodic_array"][name]
-        values = np.empty(self._size(key), np.int64)
-        self.call("get_array", key, values.size, address(values))
-        return values
-
-    def rows(self, name: str) -> FloatArray:
-        key = CONSTANTS["periodic_array"][name]
-        values = np.empty(self._size(key))
-        self.call("get_doubles", key, values.size, address(values))
-        return values.reshape(-1, 3)
+        super().__init__(pointer)
 
     def measures(self, name: str, size: int) -> FloatArray:
         values = np.empty(size)
@@ -150,12 +106,12 @@ class PeriodicDelaunay:
         The vectors that repeat, rounded likewise.
     simplices : ndarray of int, shape (ntets, 4)
         The corners of one tetrahedron of each class of tetrahedra that differ by multiples of the vectors.
-    offsets : ndarray of int, shape (ntets, 4, 3)
+    shifts : ndarray of int, shape (ntets, 4, 3)
         How often each vector has to be added to the point of a corner to get the corner. 0 for the first
         corner, and for vectors that there are not.
     neighbors : ndarray of int, shape (ntets, 4)
         The tetrahedra opposite the corners; -1 where a slab or a wire ends.
-    neighbor_offsets : ndarray of int, shape (ntets, 4, 3)
+    neighbor_shifts : ndarray of int, shape (ntets, 4, 3)
         The multiples by which a neighbour is moved to be there.
 
     Examples
@@ -192,7 +148,7 @@ class PeriodicDelaunay:
         self._gate = Gate()
         handle = self._box = _Box(vectors)
         for name, value in settings.items():
-            handle.call("set_option", CONSTANTS["periodic_option"][name], value)
+            handle.set_option(name, value)
         handle.call("set_merge_distance", merge_distance)
         self._build(rows, lambda: handle.call("insert_points", len(rows), address(rows)))
 
@@ -247,33 +203,33 @@ class PeriodicDelaunay:
     @property
     def points(self) -> FloatArray:
         """The points where they were put, rounded."""
-        return self._cached("points", lambda: self._box.rows("points"))
+        return self._cached("points", lambda: self._box.array("points"))
 
     @property
     def vectors(self) -> FloatArray:
         """The vectors that repeat, rounded."""
-        return self._cached("vectors", lambda: self._box.rows("vectors"))
+        return self._cached("vectors", lambda: self._box.array("vectors"))
 
     @property
     def simplices(self) -> IndexArray:
         """The corners of one tetrahedron of each class."""
-        return self._cached("simplices", lambda: self._box.integers("tetrahedra").reshape(-1, 4))
+        return self._cached("simplices", lambda: self._box.array("tetrahedra"))
 
     @property
-    def offsets(self) -> IndexArray:
+    def shifts(self) -> IndexArray:
         """The multiples of the vectors that are added to the points of the corners."""
-        return self._cached("offsets", lambda: self._box.integers("offsets").reshape(-1, 4, 3))
+        return self._cached("shifts", lambda: self._box.array("tetrahedron_shifts").reshape(-1, 4, 3))
 
     @property
     def neighbors(self) -> IndexArray:
         """The tetrahedra opposite the corners; -1 where a slab or a wire ends."""
-        return self._cached("neighbors", lambda: self._box.integers("neighbors").reshape(-1, 4))
+        return self._cached("neighbors", lambda: self._box.array("neighbors"))
 
     @property
-    def neighbor_offsets(self) -> IndexArray:
+    def neighbor_shifts(self) -> IndexArray:
         """The multiples by which a neighbour is moved to be there."""
         return self._cached(
-            "neighbor_offsets", lambda: self._box.integers("neighbor_offsets").reshape(-1, 4, 3)
+            "neighbor_shifts", lambda: self._box.array("neighbor_shifts").reshape(-1, 4, 3)
         )
 
     def move(self, points: ArrayLike) -> None:
@@ -307,36 +263,34 @@ class PeriodicDelaunay:
         simplices : index, optional
             Which of them, as an index of `simplices`; all by default.
         """
-        offsets = self.offsets[simplices][..., : len(self.vectors)]
-        corners: FloatArray = self.points[self.simplices[simplices]] + offsets @ self.vectors
+        shifts = self.shifts[simplices][..., : len(self.vectors)]
+        corners: FloatArray = self.points[self.simplices[simplices]] + shifts @ self.vectors
         return corners
 
     @property
     def point_map(self) -> IndexArray:
         """For each point the least point with the same images."""
-        return self._cached("point_map", lambda: self._box.integers("point_map"))
+        return self._cached("point_map", lambda: self._box.array("point_map"))
 
     @property
-    def point_offsets(self) -> NDArray[np.int64]:
+    def point_shifts(self) -> NDArray[np.int64]:
         """The multiples of the vectors that are added to that point to get this one, shape (n, 3)."""
-        return self._cached("point_offsets", lambda: self._box.long_integers("point_offsets").reshape(-1, 3))
+        return self._cached("point_shifts", lambda: self._box.array("point_shifts", np.int64))
 
     @property
     def vertex_neighbor_vertices(self) -> tuple[IndexArray, IndexArray]:
         """Two arrays: the points at the other ends of the edges at point k are
         ``indices[indptr[k]:indptr[k + 1]]``. A point may come several times, as several images."""
         handle = self._box
-        names = "vertex_neighbor_starts", "vertex_neighbors"
+        names = "vertex_neighbor_offsets", "vertex_neighbors"
         return self._cached(
-            "vertex_neighbor_vertices", lambda: (handle.integers(names[0]), handle.integers(names[1]))
+            "vertex_neighbor_vertices", lambda: (handle.array(names[0]), handle.array(names[1]))
         )
 
     @property
-    def vertex_neighbor_offsets(self) -> IndexArray:
-        """The offset of each of the ``indices``, shape (m, 3)."""
-        return self._cached(
-            "vertex_neighbor_offsets", lambda: self._box.integers("vertex_neighbor_offsets").reshape(-1, 3)
-        )
+    def vertex_neighbor_shifts(self) -> IndexArray:
+        """The shift of each of the ``indices``, shape (m, 3)."""
+        return self._cached("vertex_neighbor_shifts", lambda: self._box.array("vertex_neighbor_shifts"))
 
     @property
     def volumes(self) -> FloatArray:
@@ -366,7 +320,7 @@ class PeriodicDelaunay:
         k = len(self._given_vectors)
         return (
             f"<mgdt.PeriodicDelaunay: {len(self._given)} points, {k} vector{'' if k == 1 else 's'}, "
-            f"{self._aside(lambda: self._box.number('tetrahedra'))} tetrahedra>"
+            f"{self._aside(lambda: self._box.statistic('tetrahedra'))} tetrahedra>"
         )
 
 
@@ -391,7 +345,7 @@ class PeriodicVoronoi(Diagram):
     Attributes
     ----------
     delaunay : PeriodicDelaunay
-    ridge_images : ndarray of int, shape (nridges, 3)
+    ridge_shifts : ndarray of int, shape (nridges, 3)
         How often each vector has to be added to the second point of a face to get the image on the other
         side.
 
@@ -401,7 +355,7 @@ class PeriodicVoronoi(Diagram):
     >>> cells = mgdt.PeriodicVoronoi([[0.5, 0.5, 0.5]], [1, 1, 1])
     >>> cells
     <mgdt.PeriodicVoronoi: 1 points, 8 vertices, 6 faces>
-    >>> cells.ridge_images[0].tolist(), float(cells.volumes[0])
+    >>> cells.ridge_shifts[0].tolist(), float(cells.volumes[0])
     ([-1, 0, 0], 1.0)
     """
 
@@ -431,12 +385,12 @@ class PeriodicVoronoi(Diagram):
 
         # All of one state, while another thread may move the points.
         def read() -> tuple[FloatArray, FloatArray, IndexArray, dict[str, NDArray[Any]]]:
-            rows, vectors = handle.rows("points"), handle.rows("vectors")
-            return rows, vectors, handle.integers("point_map"), handle.voronoi(*limits)
+            rows, vectors = handle.array("points"), handle.array("vectors")
+            return rows, vectors, handle.array("point_map"), handle.voronoi(*limits)
 
         self.points, self._vectors, self._point_map, self._arrays = self.delaunay._aside(read)
         self._begin()
-        self.ridge_images: IndexArray = self._arrays["face_images"].reshape(-1, 3)
+        self.ridge_shifts: IndexArray = self._arrays["face_shifts"]
 
     def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
         return interruptibly(work, len(self.points) >= LONG_EXPORT)
@@ -447,13 +401,13 @@ class PeriodicVoronoi(Diagram):
         return self._arrays["cell_areas"] if "cell_areas" in self._arrays else cell_areas(self._arrays)
 
     @cached_property
-    def neighbor_images(self) -> list[list[list[int]]]:
-        """The offsets of the points in `neighbors`."""
+    def neighbor_shifts(self) -> list[list[list[int]]]:
+        """The shifts of the points in `neighbors`."""
         neighbors = self.neighbor_list
-        return self._aside(partial(lists, neighbors.images, neighbors.indptr))
+        return self._aside(partial(lists, neighbors.shifts, neighbors.indptr))
 
-    def _places(self, points: IndexArray, images: IndexArray) -> FloatArray:
-        return self.points[points] + images[:, : len(self._vectors)] @ self._vectors
+    def _places(self, points: IndexArray, shifts: IndexArray) -> FloatArray:
+        return self.points[points] + shifts[:, : len(self._vectors)] @ self._vectors
 
     def __repr__(self) -> str:
         return (

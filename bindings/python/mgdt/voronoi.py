@@ -170,7 +170,7 @@ class Voronoi(Snapshot, Diagram):
         if self._is_made:
             self.delaunay.close()
 
-    def _places(self, points: IndexArray, _images: IndexArray) -> FloatArray:
+    def _places(self, points: IndexArray, _shifts: IndexArray) -> FloatArray:
         return self.points[points]
 
     @cached_property

@@ -115,33 +115,43 @@ enum class Outside : std::int32_t {
     linear = MGDT_OUTSIDE_LINEAR
 };
 
-/** Arrays of integers of a Voronoi diagram; see MGDT_VORONOI_FACE_OFFSETS and its neighbours.
- *  @since 1.3 */
-enum class VoronoiArray : std::int32_t {
-    face_offsets = MGDT_VORONOI_FACE_OFFSETS,
-    face_corners = MGDT_VORONOI_FACE_CORNERS,
-    face_sides = MGDT_VORONOI_FACE_SIDES,
-    face_images = MGDT_VORONOI_FACE_IMAGES,
-    ray_vertices = MGDT_VORONOI_RAY_VERTICES,
-    cell_offsets = MGDT_VORONOI_CELL_OFFSETS,
-    cell_faces = MGDT_VORONOI_CELL_FACES,
-    cell_bounded = MGDT_VORONOI_CELL_BOUNDED,
-    cell_neighbors = MGDT_VORONOI_CELL_NEIGHBORS,
-    cell_neighbor_images = MGDT_VORONOI_CELL_NEIGHBOR_IMAGES
+/** Statistics of a Voronoi diagram; see MGDT_VORONOI_STAT_VERTICES and its neighbours. @since 1.3
+ */
+enum class VoronoiStatistic : std::int32_t {
+    vertices = MGDT_VORONOI_STAT_VERTICES,
+    rays = MGDT_VORONOI_STAT_RAYS,
+    faces = MGDT_VORONOI_STAT_FACES,
+    points = MGDT_VORONOI_STAT_POINTS,
+    memory_bytes = MGDT_VORONOI_STAT_MEMORY_BYTES
 };
 
-/** Arrays of doubles of a Voronoi diagram; see MGDT_VORONOI_VERTICES and its neighbours.
+/** Arrays of integers of a Voronoi diagram; see MGDT_VORONOI_ARRAY_FACE_OFFSETS and its neighbours.
+ *  @since 1.3 */
+enum class VoronoiArray : std::int32_t {
+    face_offsets = MGDT_VORONOI_ARRAY_FACE_OFFSETS,
+    face_corners = MGDT_VORONOI_ARRAY_FACE_CORNERS,
+    face_sides = MGDT_VORONOI_ARRAY_FACE_SIDES,
+    face_shifts = MGDT_VORONOI_ARRAY_FACE_SHIFTS,
+    ray_vertices = MGDT_VORONOI_ARRAY_RAY_VERTICES,
+    cell_offsets = MGDT_VORONOI_ARRAY_CELL_OFFSETS,
+    cell_faces = MGDT_VORONOI_ARRAY_CELL_FACES,
+    cell_bounded = MGDT_VORONOI_ARRAY_CELL_BOUNDED,
+    cell_neighbors = MGDT_VORONOI_ARRAY_CELL_NEIGHBORS,
+    cell_neighbor_shifts = MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS
+};
+
+/** Arrays of doubles of a Voronoi diagram; see MGDT_VORONOI_ARRAY_VERTICES and its neighbours.
  *  @since 1.3 */
 enum class VoronoiDoubles : std::int32_t {
-    vertices = MGDT_VORONOI_VERTICES,
-    ray_directions = MGDT_VORONOI_RAY_DIRECTIONS,
-    face_areas = MGDT_VORONOI_FACE_AREAS,
-    face_normals = MGDT_VORONOI_FACE_NORMALS,
-    face_centroids = MGDT_VORONOI_FACE_CENTROIDS,
-    cell_volumes = MGDT_VORONOI_CELL_VOLUMES,
-    cell_centroids = MGDT_VORONOI_CELL_CENTROIDS,
-    cell_face_areas = MGDT_VORONOI_CELL_FACE_AREAS,
-    cell_neighbor_distances = MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES
+    vertices = MGDT_VORONOI_ARRAY_VERTICES,
+    ray_directions = MGDT_VORONOI_ARRAY_RAY_DIRECTIONS,
+    face_areas = MGDT_VORONOI_ARRAY_FACE_AREAS,
+    face_normals = MGDT_VORONOI_ARRAY_FACE_NORMALS,
+    face_centroids = MGDT_VORONOI_ARRAY_FACE_CENTROIDS,
+    cell_volumes = MGDT_VORONOI_ARRAY_CELL_VOLUMES,
+    cell_centroids = MGDT_VORONOI_ARRAY_CELL_CENTROIDS,
+    cell_face_areas = MGDT_VORONOI_ARRAY_CELL_FACE_AREAS,
+    cell_neighbor_distances = MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES
 };
 
 /** What an element of the offending pairs of a domain is; see MGDT_DOMAIN_KIND_FACET.
@@ -232,37 +242,37 @@ enum class MeshDoubles : std::int32_t {
     steiner_parameters = MGDT_MESH_ARRAY_STEINER_PARAMETERS
 };
 
-/** Options of a periodic box; see MGDT_PERIODIC_INDEX_BASE and its neighbours. @since 1.3 */
+/** Options of a periodic box; see MGDT_PERIODIC_OPTION_INDEX_BASE and its neighbours. @since 1.3 */
 enum class PeriodicOption : std::int32_t {
-    index_base = MGDT_PERIODIC_INDEX_BASE,
-    threads = MGDT_PERIODIC_THREADS,
-    memory_limit = MGDT_PERIODIC_MEMORY_LIMIT
+    index_base = MGDT_PERIODIC_OPTION_INDEX_BASE,
+    threads = MGDT_PERIODIC_OPTION_THREADS,
+    memory_limit = MGDT_PERIODIC_OPTION_MEMORY_LIMIT
 };
 
-/** Numbers of a periodic box; see MGDT_PERIODIC_GIVEN_POINTS and its neighbours. @since 1.3 */
-enum class PeriodicNumber : std::int32_t {
-    given_points = MGDT_PERIODIC_GIVEN_POINTS,
-    memory_bytes = MGDT_PERIODIC_MEMORY_BYTES,
-    dimensions = MGDT_PERIODIC_DIMENSIONS,
-    vertices = MGDT_PERIODIC_VERTICES,
-    tetrahedra = MGDT_PERIODIC_TETRAHEDRA,
-    edges = MGDT_PERIODIC_EDGES,
-    images = MGDT_PERIODIC_IMAGES,
-    rounds = MGDT_PERIODIC_ROUNDS
+/** Statistics of a periodic box; see MGDT_PERIODIC_STAT_POINTS and its neighbours. @since 1.3 */
+enum class PeriodicStatistic : std::int32_t {
+    points = MGDT_PERIODIC_STAT_POINTS,
+    vertices = MGDT_PERIODIC_STAT_VERTICES,
+    tetrahedra = MGDT_PERIODIC_STAT_TETRAHEDRA,
+    edges = MGDT_PERIODIC_STAT_EDGES,
+    dimensions = MGDT_PERIODIC_STAT_DIMENSIONS,
+    memory_bytes = MGDT_PERIODIC_STAT_MEMORY_BYTES,
+    images = MGDT_PERIODIC_STAT_IMAGES,
+    rounds = MGDT_PERIODIC_STAT_ROUNDS
 };
 
 /** Arrays of integers of a periodic box; see MGDT_PERIODIC_ARRAY_POINT_MAP and its neighbours.
  *  @since 1.3 */
 enum class PeriodicArray : std::int32_t {
     point_map = MGDT_PERIODIC_ARRAY_POINT_MAP,
-    point_offsets = MGDT_PERIODIC_ARRAY_POINT_OFFSETS,
+    point_shifts = MGDT_PERIODIC_ARRAY_POINT_SHIFTS,
     tetrahedra = MGDT_PERIODIC_ARRAY_TETRAHEDRA,
-    offsets = MGDT_PERIODIC_ARRAY_OFFSETS,
+    tetrahedron_shifts = MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS,
     neighbors = MGDT_PERIODIC_ARRAY_NEIGHBORS,
-    neighbor_offsets = MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS,
-    vertex_neighbor_starts = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
+    neighbor_shifts = MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS,
+    vertex_neighbor_offsets = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS,
     vertex_neighbors = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
-    vertex_neighbor_offsets = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS
+    vertex_neighbor_shifts = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS
 };
 
 /** Arrays of doubles of a periodic box; see MGDT_PERIODIC_ARRAY_POINTS and its neighbour.

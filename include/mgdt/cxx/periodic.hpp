@@ -28,7 +28,7 @@ namespace detail {
 struct PeriodicCalls {
     using Handle = mgdt_periodic;
     using Option = PeriodicOption;
-    using Statistic = PeriodicNumber;
+    using Statistic = PeriodicStatistic;
     using Array = PeriodicArray;
     using Doubles = PeriodicDoubles;
     static constexpr auto destroy = mgdt_periodic_destroy;
@@ -120,7 +120,7 @@ class Periodic : public detail::Results<detail::PeriodicCalls> {
     [[nodiscard]] std::vector<double> cell_measures(Measure measure) const {
         const std::size_t width = measure == Measure::centroid ? 3 : 1;
         std::vector<double> x(width *
-                              static_cast<std::size_t>(statistic(PeriodicNumber::given_points)));
+                              static_cast<std::size_t>(statistic(PeriodicStatistic::points)));
         require(mgdt_periodic_get_cell_measures(get(), static_cast<std::int32_t>(measure),
                                                 static_cast<std::int64_t>(x.size()), x.data()));
         return x;

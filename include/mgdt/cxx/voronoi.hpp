@@ -24,9 +24,11 @@ namespace detail {
 
 struct VoronoiCalls {
     using Handle = mgdt_voronoi;
+    using Statistic = VoronoiStatistic;
     using Array = VoronoiArray;
     using Doubles = VoronoiDoubles;
     static constexpr auto destroy = mgdt_voronoi_destroy;
+    static constexpr auto get_stat = mgdt_voronoi_get_stat;
     static constexpr auto array_info = mgdt_voronoi_array_info;
     static constexpr auto get_size = mgdt_voronoi_get_size;
     static constexpr auto get_array = mgdt_voronoi_get_array;
@@ -38,8 +40,9 @@ struct VoronoiCalls {
 }  // namespace detail
 
 /** The Voronoi diagram of the points of a triangulation, which it outlives; see mgdt_voronoi.h. It
- *  can be moved, not copied. Arrays: mgdt_voronoi_array_info(), mgdt_voronoi_get_size(),
- *  mgdt_voronoi_get_array() and mgdt_voronoi_get_doubles(). @since 1.3 */
+ *  can be moved, not copied. Statistics and arrays: mgdt_voronoi_get_stat(),
+ *  mgdt_voronoi_array_info(), mgdt_voronoi_get_size(), mgdt_voronoi_get_array() and
+ *  mgdt_voronoi_get_doubles(). @since 1.3 */
 class Voronoi : public detail::Results<detail::VoronoiCalls, detail::Owner<detail::VoronoiCalls>> {
   public:
     /** Makes the diagram; mgdt_voronoi_create(). Cells are clipped to the planes a b c d, to where
@@ -62,8 +65,8 @@ class Voronoi : public detail::Results<detail::VoronoiCalls, detail::Owner<detai
 
     /** Leaves out the faces that are smaller than an area, or than a share of the area of each of
      *  their cells; mgdt_voronoi_drop_small_faces(). @throw OutOfMemory, Error */
-    void drop_small_faces(double area, double relative = 0) {
-        require(mgdt_voronoi_drop_small_faces(get(), area, relative));
+    void drop_small_faces(double least_area, double least_share = 0) {
+        require(mgdt_voronoi_drop_small_faces(get(), least_area, least_share));
     }
 };
 

@@ -4,10 +4,10 @@
 module Mgdt
   # Reads the arrays and numbers of a handle whose functions are mgdt_KIND_get_size and so on.
   class ArrayReader
-    def initialize(kind, handle, keys)
+    def initialize(kind, handle)
       @kind = kind
       @handle = handle
-      @keys = keys
+      @keys = CONSTANTS.fetch(:"#{kind}_array")
     end
 
     # An array of integers or of doubles; Arrays of as many as belong together.
@@ -17,6 +17,16 @@ module Mgdt
       Library.public_send(:"mgdt_#{@kind}_array_info", @keys.fetch(name), columns, is_double)
       values = is_double.read_int32 == 1 ? doubles(name) : integers(name)
       columns.read_int32 > 1 ? values.each_slice(columns.read_int32).to_a : values
+    end
+
+    # An Array for each list: of the elements from one offset to the next.
+    def lists(offsets, elements, index_base)
+      all = array(elements)
+      integers(offsets).each_cons(2).map { |from, to| all[(from - index_base)...(to - index_base)] || [] }
+    end
+
+    def set_option(name, value)
+      call(:set_option, CONSTANTS[:"#{@kind}_option"].fetch(name), value)
     end
 
     def statistic(name)

@@ -39,7 +39,7 @@ module Mgdt
     def initialize(points, facets, rounded: false, **given, &progress)
       @domain = GivenDomain.new(points, facets, rounded: rounded, **given)
       @handle = @domain.build(progress)
-      @mesh = ArrayReader.new(:mesh, @handle, CONSTANTS[:mesh_array])
+      @mesh = ArrayReader.new(:mesh, @handle)
       read
     end
 
@@ -119,7 +119,7 @@ module Mgdt
       raise Error.of(status, Library.mgdt_status_string(status)) unless status.zero?
 
       @handle = Handle.new(out.read_pointer)
-      @reader = ArrayReader.new(:domain, @handle, CONSTANTS[:domain_array])
+      @reader = ArrayReader.new(:domain, @handle)
       @index_base = whole(index_base, "index_base")
       { index_base: index_base, threads: threads, memory_limit: memory_limit,
         round_points: rounded ? 1 : 0, strict: strict ? 1 : 0 }.each do |name, value|

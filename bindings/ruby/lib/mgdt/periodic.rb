@@ -12,15 +12,15 @@ module Mgdt
   class PeriodicBox
     # The points, where they were put, and the vectors, rounded.
     attr_reader :points, :vectors
-    # The corners of each tetrahedron, and their offsets: how often each vector is added to the point.
-    attr_reader :tetrahedra, :offsets
-    # The tetrahedra next to each; nil where a slab or a wire ends. And the offsets by which they are
+    # The corners of each tetrahedron, and their shifts: how often each vector is added to the point.
+    attr_reader :tetrahedra, :shifts
+    # The tetrahedra next to each; nil where a slab or a wire ends. And the shifts by which they are
     # moved.
-    attr_reader :neighbors, :neighbor_offsets
-    # The least point with the images of each point, and the offset of its image that is the point.
-    attr_reader :point_map, :point_offsets
-    # The points at the other ends of the edges at each point, and the offsets of these images.
-    attr_reader :vertex_neighbors, :vertex_neighbor_offsets
+    attr_reader :neighbors, :neighbor_shifts
+    # The least point with the images of each point, and the shift of its image that is the point.
+    attr_reader :point_map, :point_shifts
+    # The points at the other ends of the edges at each point, and the shifts of these images.
+    attr_reader :vertex_neighbors, :vertex_neighbor_shifts
 
     # A handle that is destroyed when it is collected.
     class Handle < FFI::AutoPointer
@@ -41,7 +41,7 @@ module Mgdt
         raise argument("#{name} is #{value.inspect}; it must be an Integer") unless
           value.is_a?(Integer) && value.abs < 1 << 63
 
-        @reader.call(:set_option, CONSTANTS[:periodic_option].fetch(name), value)
+        @reader.set_option(name, value)
       end
       raise argument("merge_distance is #{merge_distance.inspect}; it must be a number") unless
         merge_distance.is_a?(Integer) || merge_distance.is_a?(Float)
@@ -76,7 +76,7 @@ module Mgdt
       width == 3 ? numbers.each_slice(3).to_a : numbers
     end
 
-    # The Voronoi diagram, as Triangulation#voronoi gives it; images are those of the second sides.
+    # The Voronoi diagram, as Triangulation#voronoi gives it; shifts are those of the second sides.
     def voronoi(least_area: 0, least_share: 0)
       out = FFI::MemoryPointer.new(:pointer)
       @reader.call(:create_voronoi, out)
@@ -108,7 +108,7 @@ module Mgdt
       raise Error.of(status, message || Library.mgdt_status_string(status)) unless status.zero?
 
       @handle = Handle.new(out.read_pointer)
-      @reader = ArrayReader.new(:periodic, @handle, CONSTANTS[:periodic_array])
+      @reader = ArrayReader.new(:periodic, @handle)
     end
 
     def build(progress)
@@ -122,19 +122,19 @@ module Mgdt
     end
 
     def read
-      rows = ->(name, width) { @reader.integers(name).each_slice(width).to_a }
-      @points = @reader.doubles(:points).each_slice(3).to_a
-      @vectors = @reader.doubles(:vectors).each_slice(3).to_a
-      @tetrahedra = rows.call(:tetrahedra, 4)
-      @neighbors = rows.call(:neighbors, 4).map { |row| row.map { |k| k == @index_base - 1 ? nil : k } }
-      @offsets = rows.call(:offsets, 3).each_slice(4).to_a
-      @neighbor_offsets = rows.call(:neighbor_offsets, 3).each_slice(4).to_a
-      @point_map = @reader.integers(:point_map)
-      @point_offsets = rows.call(:point_offsets, 3)
-      starts = @reader.integers(:vertex_neighbor_starts)
-      lists = ->(all) { starts.each_cons(2).map { |from, to| all[(from - @index_base)...(to - @index_base)] } }
-      @vertex_neighbors = lists.call(@reader.integers(:vertex_neighbors))
-      @vertex_neighbor_offsets = lists.call(rows.call(:vertex_neighbor_offsets, 3))
+      array = @reader.method(:array)
+      lists = ->(name) { @reader.lists(:vertex_neighbor_offsets, name, @index_base) }
+      @points = array.call(:points)
+      @vectors = array.call(:vectors)
+      @tetrahedra = array.call(:tetrahedra)
+      @neighbors = array.call(:neighbors).map { |row| row.map { |k| k == @index_base - 1 ? nil : k } }
+      @shifts, @neighbor_shifts = %i[tetrahedron_shifts neighbor_shifts].map do |name|
+        array.call(name).map { |row| row.each_slice(3).to_a }
+      end
+      @point_map = array.call(:point_map)
+      @point_shifts = array.call(:point_shifts)
+      @vertex_neighbors = lists.call(:vertex_neighbors)
+      @vertex_neighbor_shifts = lists.call(:vertex_neighbor_shifts)
     end
   end
 end

@@ -135,25 +135,31 @@ pub const MGDT_OUTSIDE_NEAREST: i32 = 20;
 pub const MGDT_OUTSIDE_BOUNDARY: i32 = 30;
 pub const MGDT_OUTSIDE_LINEAR: i32 = 40;
 
-pub const MGDT_VORONOI_FACE_OFFSETS: i32 = 10;
-pub const MGDT_VORONOI_FACE_CORNERS: i32 = 11;
-pub const MGDT_VORONOI_FACE_SIDES: i32 = 12;
-pub const MGDT_VORONOI_FACE_IMAGES: i32 = 13;
-pub const MGDT_VORONOI_RAY_VERTICES: i32 = 20;
-pub const MGDT_VORONOI_CELL_OFFSETS: i32 = 30;
-pub const MGDT_VORONOI_CELL_FACES: i32 = 31;
-pub const MGDT_VORONOI_CELL_BOUNDED: i32 = 32;
-pub const MGDT_VORONOI_CELL_NEIGHBORS: i32 = 33;
-pub const MGDT_VORONOI_CELL_NEIGHBOR_IMAGES: i32 = 34;
-pub const MGDT_VORONOI_VERTICES: i32 = 50;
-pub const MGDT_VORONOI_RAY_DIRECTIONS: i32 = 51;
-pub const MGDT_VORONOI_FACE_AREAS: i32 = 60;
-pub const MGDT_VORONOI_FACE_NORMALS: i32 = 61;
-pub const MGDT_VORONOI_FACE_CENTROIDS: i32 = 62;
-pub const MGDT_VORONOI_CELL_VOLUMES: i32 = 70;
-pub const MGDT_VORONOI_CELL_CENTROIDS: i32 = 71;
-pub const MGDT_VORONOI_CELL_FACE_AREAS: i32 = 72;
-pub const MGDT_VORONOI_CELL_NEIGHBOR_DISTANCES: i32 = 73;
+pub const MGDT_VORONOI_STAT_VERTICES: i32 = 100;
+pub const MGDT_VORONOI_STAT_RAYS: i32 = 101;
+pub const MGDT_VORONOI_STAT_FACES: i32 = 102;
+pub const MGDT_VORONOI_STAT_POINTS: i32 = 103;
+pub const MGDT_VORONOI_STAT_MEMORY_BYTES: i32 = 110;
+
+pub const MGDT_VORONOI_ARRAY_FACE_OFFSETS: i32 = 200;
+pub const MGDT_VORONOI_ARRAY_FACE_CORNERS: i32 = 201;
+pub const MGDT_VORONOI_ARRAY_FACE_SIDES: i32 = 202;
+pub const MGDT_VORONOI_ARRAY_FACE_SHIFTS: i32 = 203;
+pub const MGDT_VORONOI_ARRAY_RAY_VERTICES: i32 = 210;
+pub const MGDT_VORONOI_ARRAY_CELL_OFFSETS: i32 = 220;
+pub const MGDT_VORONOI_ARRAY_CELL_FACES: i32 = 221;
+pub const MGDT_VORONOI_ARRAY_CELL_BOUNDED: i32 = 222;
+pub const MGDT_VORONOI_ARRAY_CELL_NEIGHBORS: i32 = 223;
+pub const MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_SHIFTS: i32 = 224;
+pub const MGDT_VORONOI_ARRAY_VERTICES: i32 = 300;
+pub const MGDT_VORONOI_ARRAY_RAY_DIRECTIONS: i32 = 310;
+pub const MGDT_VORONOI_ARRAY_FACE_AREAS: i32 = 320;
+pub const MGDT_VORONOI_ARRAY_FACE_NORMALS: i32 = 321;
+pub const MGDT_VORONOI_ARRAY_FACE_CENTROIDS: i32 = 322;
+pub const MGDT_VORONOI_ARRAY_CELL_VOLUMES: i32 = 330;
+pub const MGDT_VORONOI_ARRAY_CELL_CENTROIDS: i32 = 331;
+pub const MGDT_VORONOI_ARRAY_CELL_FACE_AREAS: i32 = 332;
+pub const MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES: i32 = 333;
 
 pub const MGDT_MESH_OPTION_INDEX_BASE: i32 = 10;
 pub const MGDT_MESH_OPTION_THREADS: i32 = 20;
@@ -215,30 +221,30 @@ pub const MGDT_DOMAIN_STAT_OPEN_EDGES: i32 = 121;
 pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 200;
 pub const MGDT_DOMAIN_ARRAY_OPEN_EDGES: i32 = 210;
 
-pub const MGDT_PERIODIC_INDEX_BASE: i32 = 10;
-pub const MGDT_PERIODIC_THREADS: i32 = 20;
-pub const MGDT_PERIODIC_MEMORY_LIMIT: i32 = 30;
+pub const MGDT_PERIODIC_OPTION_INDEX_BASE: i32 = 10;
+pub const MGDT_PERIODIC_OPTION_THREADS: i32 = 20;
+pub const MGDT_PERIODIC_OPTION_MEMORY_LIMIT: i32 = 30;
 
-pub const MGDT_PERIODIC_GIVEN_POINTS: i32 = 10;
-pub const MGDT_PERIODIC_MEMORY_BYTES: i32 = 15;
-pub const MGDT_PERIODIC_DIMENSIONS: i32 = 16;
-pub const MGDT_PERIODIC_VERTICES: i32 = 20;
-pub const MGDT_PERIODIC_TETRAHEDRA: i32 = 21;
-pub const MGDT_PERIODIC_EDGES: i32 = 22;
-pub const MGDT_PERIODIC_IMAGES: i32 = 23;
-pub const MGDT_PERIODIC_ROUNDS: i32 = 24;
+pub const MGDT_PERIODIC_STAT_POINTS: i32 = 100;
+pub const MGDT_PERIODIC_STAT_VERTICES: i32 = 101;
+pub const MGDT_PERIODIC_STAT_TETRAHEDRA: i32 = 102;
+pub const MGDT_PERIODIC_STAT_EDGES: i32 = 103;
+pub const MGDT_PERIODIC_STAT_DIMENSIONS: i32 = 104;
+pub const MGDT_PERIODIC_STAT_MEMORY_BYTES: i32 = 110;
+pub const MGDT_PERIODIC_STAT_IMAGES: i32 = 120;
+pub const MGDT_PERIODIC_STAT_ROUNDS: i32 = 121;
 
-pub const MGDT_PERIODIC_ARRAY_POINT_MAP: i32 = 10;
-pub const MGDT_PERIODIC_ARRAY_POINT_OFFSETS: i32 = 11;
-pub const MGDT_PERIODIC_ARRAY_TETRAHEDRA: i32 = 20;
-pub const MGDT_PERIODIC_ARRAY_OFFSETS: i32 = 21;
-pub const MGDT_PERIODIC_ARRAY_NEIGHBORS: i32 = 22;
-pub const MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS: i32 = 23;
-pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS: i32 = 30;
-pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS: i32 = 31;
-pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS: i32 = 32;
-pub const MGDT_PERIODIC_ARRAY_POINTS: i32 = 50;
-pub const MGDT_PERIODIC_ARRAY_VECTORS: i32 = 51;
+pub const MGDT_PERIODIC_ARRAY_POINT_MAP: i32 = 200;
+pub const MGDT_PERIODIC_ARRAY_POINT_SHIFTS: i32 = 201;
+pub const MGDT_PERIODIC_ARRAY_TETRAHEDRA: i32 = 210;
+pub const MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS: i32 = 211;
+pub const MGDT_PERIODIC_ARRAY_NEIGHBORS: i32 = 212;
+pub const MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS: i32 = 213;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS: i32 = 220;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS: i32 = 221;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS: i32 = 222;
+pub const MGDT_PERIODIC_ARRAY_POINTS: i32 = 300;
+pub const MGDT_PERIODIC_ARRAY_VECTORS: i32 = 301;
 
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
@@ -608,6 +614,7 @@ extern "C" {
         out: *mut *mut mgdt_voronoi,
     ) -> mgdt_status;
     pub fn mgdt_voronoi_destroy(v: *mut mgdt_voronoi);
+    pub fn mgdt_voronoi_get_stat(v: *const mgdt_voronoi, key: i32, value: *mut i64) -> mgdt_status;
     pub fn mgdt_voronoi_array_info(
         array: i32,
         columns: *mut i32,
@@ -634,8 +641,8 @@ extern "C" {
     ) -> mgdt_status;
     pub fn mgdt_voronoi_drop_small_faces(
         v: *mut mgdt_voronoi,
-        area: f64,
-        relative: f64,
+        least_area: f64,
+        least_share: f64,
     ) -> mgdt_status;
     pub fn mgdt_voronoi_get_error(
         v: *const mgdt_voronoi,

@@ -106,7 +106,7 @@ impl Keyed for Domain {
     type Handle = sys::mgdt_domain;
     const CALLS: Calls<sys::mgdt_domain> = Calls {
         get_error: sys::mgdt_domain_get_error,
-        set_option: sys::mgdt_domain_set_option,
+        set_option: Some(sys::mgdt_domain_set_option),
         get_stat: sys::mgdt_domain_get_stat,
         get_size: sys::mgdt_domain_get_size,
         get_array: sys::mgdt_domain_get_array,

@@ -11,7 +11,7 @@ type Status = sys::mgdt_status;
 /// The functions of a kind of handle.
 pub(crate) struct Calls<H> {
     pub get_error: unsafe extern "C" fn(*const H, i64, *mut c_char) -> Status,
-    pub set_option: unsafe extern "C" fn(*mut H, i32, i64) -> Status,
+    pub set_option: Option<unsafe extern "C" fn(*mut H, i32, i64) -> Status>,
     pub get_stat: unsafe extern "C" fn(*const H, i32, *mut i64) -> Status,
     pub get_size: unsafe extern "C" fn(*const H, i32, *mut i64) -> Status,
     pub get_array: unsafe extern "C" fn(*const H, i32, i64, *mut i64) -> Status,
@@ -34,7 +34,10 @@ pub(crate) trait Keyed {
     }
 
     fn set_option(&mut self, option: i32, value: i64) -> Result<(), Error> {
-        self.ensure(unsafe { (Self::CALLS.set_option)(self.raw(), option, value) })
+        self.ensure(match Self::CALLS.set_option {
+            Some(set) => unsafe { set(self.raw(), option, value) },
+            None => sys::MGDT_ERR_UNKNOWN_KEY,
+        })
     }
 
     /// No limit is 0 in C; a limit of 0 would be none at all.

@@ -34,9 +34,9 @@ pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
 pub use mesh::{Mesh, MeshArray, MeshDoubles, MeshStatistic};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};
-pub use periodic::{Periodic, PeriodicArray, PeriodicCount};
+pub use periodic::{Periodic, PeriodicArray, PeriodicStatistic};
 pub use triangulation::{Canceller, Triangulation};
-pub use voronoi::{Voronoi, VoronoiArray, VoronoiNumbers};
+pub use voronoi::{Voronoi, VoronoiArray, VoronoiDoubles, VoronoiStatistic};
 
 /// What stands for "none" among plain integers: the neighbour of a facet on the hull, the vertex of
 /// a point that is not in, the tetrahedron of a point outside.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //! Points in periodic boxes.
 
-use crate::triangulation::{as_i64, error_of, status_text, watched};
+use crate::keyed::{Calls, Keyed};
+use crate::triangulation::{as_i64, status_text, watched};
 use crate::{Error, ErrorKind, Measure, Voronoi};
 use mgdt_sys as sys;
 use std::fmt;
@@ -9,52 +10,52 @@ use std::ops::ControlFlow;
 use std::ptr;
 
 /// Arrays of integers of a [`Periodic`] box. In them "none" is [`NONE`](crate::NONE). Arrays of
-/// offsets have three numbers for each: how often each vector is added.
+/// shifts have three numbers for each: how often each vector is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[repr(i32)]
 pub enum PeriodicArray {
     /// For each point the least point with the same images.
     PointMap = sys::MGDT_PERIODIC_ARRAY_POINT_MAP,
-    /// The offset of that point's image that is the point.
-    PointOffsets = sys::MGDT_PERIODIC_ARRAY_POINT_OFFSETS,
+    /// The shift of that point's image that is the point.
+    PointShifts = sys::MGDT_PERIODIC_ARRAY_POINT_SHIFTS,
     /// Four corners for each class of tetrahedra.
     Tetrahedra = sys::MGDT_PERIODIC_ARRAY_TETRAHEDRA,
-    /// The offset of each corner.
-    Offsets = sys::MGDT_PERIODIC_ARRAY_OFFSETS,
+    /// The shift of each corner.
+    TetrahedronShifts = sys::MGDT_PERIODIC_ARRAY_TETRAHEDRON_SHIFTS,
     /// The four tetrahedra opposite the corners; none where a slab or a wire ends.
     Neighbors = sys::MGDT_PERIODIC_ARRAY_NEIGHBORS,
-    /// The offset by which each of these is moved.
-    NeighborOffsets = sys::MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS,
-    /// Where the list of each point's neighbours begins, and the end.
-    VertexNeighborStarts = sys::MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
+    /// The shift by which each of these is moved.
+    NeighborShifts = sys::MGDT_PERIODIC_ARRAY_NEIGHBOR_SHIFTS,
+    /// Offsets of the lists of each point's neighbours.
+    VertexNeighborOffsets = sys::MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS,
     /// The points at the other ends of the edges at each vertex.
     VertexNeighbors = sys::MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
-    /// The offset of each of these images.
-    VertexNeighborOffsets = sys::MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS,
+    /// The shift of each of these images.
+    VertexNeighborShifts = sys::MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS,
 }
 
-/// Single numbers of a [`Periodic`] box.
+/// Statistics of a [`Periodic`] box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[repr(i32)]
-pub enum PeriodicCount {
+pub enum PeriodicStatistic {
     /// Points that were inserted.
-    GivenPoints = sys::MGDT_PERIODIC_GIVEN_POINTS,
+    Points = sys::MGDT_PERIODIC_STAT_POINTS,
     /// Memory that the box holds, in bytes.
-    MemoryBytes = sys::MGDT_PERIODIC_MEMORY_BYTES,
+    MemoryBytes = sys::MGDT_PERIODIC_STAT_MEMORY_BYTES,
     /// The number of vectors.
-    Dimensions = sys::MGDT_PERIODIC_DIMENSIONS,
+    Dimensions = sys::MGDT_PERIODIC_STAT_DIMENSIONS,
     /// Points without equal images.
-    Vertices = sys::MGDT_PERIODIC_VERTICES,
+    Vertices = sys::MGDT_PERIODIC_STAT_VERTICES,
     /// Classes of tetrahedra.
-    Tetrahedra = sys::MGDT_PERIODIC_TETRAHEDRA,
+    Tetrahedra = sys::MGDT_PERIODIC_STAT_TETRAHEDRA,
     /// Classes of edges.
-    Edges = sys::MGDT_PERIODIC_EDGES,
-    /// Images that were triangulated with the points.
-    Images = sys::MGDT_PERIODIC_IMAGES,
-    /// Rounds in which these were found.
-    Rounds = sys::MGDT_PERIODIC_ROUNDS,
+    Edges = sys::MGDT_PERIODIC_STAT_EDGES,
+    /// Images that were triangulated with the points; may be 0 in later versions.
+    Images = sys::MGDT_PERIODIC_STAT_IMAGES,
+    /// Rounds in which these were found; may be 0 in later versions.
+    Rounds = sys::MGDT_PERIODIC_STAT_ROUNDS,
 }
 
 /// Points in a periodic box, a slab or a wire, and the triangulation of the infinite set of their
@@ -89,11 +90,27 @@ impl Drop for Periodic {
 
 impl fmt::Debug for Periodic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let count = |count| self.count(count).unwrap_or(0);
+        let count = |count| self.statistic(count).unwrap_or(0);
         f.debug_struct("Periodic")
-            .field("points", &count(PeriodicCount::GivenPoints))
-            .field("tetrahedra", &count(PeriodicCount::Tetrahedra))
+            .field("points", &count(PeriodicStatistic::Points))
+            .field("tetrahedra", &count(PeriodicStatistic::Tetrahedra))
             .finish()
+    }
+}
+
+impl Keyed for Periodic {
+    type Handle = sys::mgdt_periodic;
+    const CALLS: Calls<sys::mgdt_periodic> = Calls {
+        get_error: sys::mgdt_periodic_get_error,
+        set_option: Some(sys::mgdt_periodic_set_option),
+        get_stat: sys::mgdt_periodic_get_stat,
+        get_size: sys::mgdt_periodic_get_size,
+        get_array: sys::mgdt_periodic_get_array,
+        get_doubles: Some(sys::mgdt_periodic_get_doubles),
+    };
+
+    fn raw(&self) -> *mut sys::mgdt_periodic {
+        self.p.as_ptr()
     }
 }
 
@@ -120,27 +137,9 @@ impl Periodic {
         }
     }
 
-    fn raw(&self) -> *mut sys::mgdt_periodic {
-        self.p.as_ptr()
-    }
-
-    fn ensure(&self, status: sys::mgdt_status) -> Result<(), Error> {
-        if status == sys::MGDT_OK {
-            return Ok(());
-        }
-        Err(error_of(status, |capacity, buffer| unsafe {
-            sys::mgdt_periodic_get_error(self.raw(), capacity, buffer);
-        }))
-    }
-
-    fn set_option(&mut self, option: i32, value: i64) -> Result<(), Error> {
-        let status = unsafe { sys::mgdt_periodic_set_option(self.raw(), option, value) };
-        self.ensure(status)
-    }
-
     /// Sets how many threads a call may use; 0 for all cores.
     pub fn set_threads(&mut self, threads: usize) -> Result<(), Error> {
-        self.set_option(sys::MGDT_PERIODIC_THREADS, as_i64(threads))
+        self.set_option(sys::MGDT_PERIODIC_OPTION_THREADS, as_i64(threads))
     }
 
     /// Sets the distance within which points become equal in later builds; 0 for none.
@@ -151,9 +150,7 @@ impl Periodic {
 
     /// Limits the memory that the box may hold, in bytes; None for no limit.
     pub fn set_memory_limit(&mut self, bytes: Option<usize>) -> Result<(), Error> {
-        // No limit is 0 there; a limit of 0 would be none at all.
-        let limit = bytes.map_or(0, |bytes| as_i64(bytes.max(1)));
-        self.set_option(sys::MGDT_PERIODIC_MEMORY_LIMIT, limit)
+        self.set_limit(sys::MGDT_PERIODIC_OPTION_MEMORY_LIMIT, bytes)
     }
 
     /// Inserts points, anywhere. The triangulation is removed.
@@ -239,39 +236,13 @@ impl Periodic {
     }
 
     /// One number of the box.
-    pub fn count(&self, count: PeriodicCount) -> Result<usize, Error> {
-        let mut value = 0;
-        self.ensure(unsafe { sys::mgdt_periodic_get_stat(self.raw(), count as i32, &mut value) })?;
-        Ok(value as usize)
-    }
-
-    fn size(&self, key: i32) -> Result<usize, Error> {
-        let mut size = 0;
-        self.ensure(unsafe { sys::mgdt_periodic_get_size(self.raw(), key, &mut size) })?;
-        Ok(size as usize)
+    pub fn statistic(&self, statistic: PeriodicStatistic) -> Result<usize, Error> {
+        Ok(self.stat(statistic as i32)? as usize)
     }
 
     /// An array of integers.
     pub fn array(&self, array: PeriodicArray) -> Result<Vec<i64>, Error> {
-        let key = array as i32;
-        let mut values = vec![0; self.size(key)?];
-        self.ensure(unsafe {
-            sys::mgdt_periodic_get_array(self.raw(), key, as_i64(values.len()), values.as_mut_ptr())
-        })?;
-        Ok(values)
-    }
-
-    fn rows(&self, key: i32) -> Result<Vec<[f64; 3]>, Error> {
-        let mut values = vec![[0.0; 3]; self.size(key)? / 3];
-        self.ensure(unsafe {
-            sys::mgdt_periodic_get_doubles(
-                self.raw(),
-                key,
-                as_i64(3 * values.len()),
-                values.as_mut_ptr().cast(),
-            )
-        })?;
-        Ok(values)
+        self.integers(array as i32)
     }
 
     /// The points, where they were put, rounded.
@@ -291,9 +262,9 @@ impl Periodic {
         Ok(corners.chunks_exact(4).map(row).collect())
     }
 
-    /// The offset of each corner.
-    pub fn offsets(&self) -> Result<Vec<[[i64; 3]; 4]>, Error> {
-        let numbers = self.array(PeriodicArray::Offsets)?;
+    /// The shift of each corner.
+    pub fn shifts(&self) -> Result<Vec<[[i64; 3]; 4]>, Error> {
+        let numbers = self.array(PeriodicArray::TetrahedronShifts)?;
         let corner = |v: &[i64]| [v[0], v[1], v[2]];
         let row = |v: &[i64]| {
             [
@@ -309,7 +280,7 @@ impl Periodic {
     /// A measure of the cell of each point; three numbers for each centroid, from the point.
     pub fn cell_measures(&self, measure: Measure) -> Result<Vec<f64>, Error> {
         let width = if measure == Measure::Centroid { 3 } else { 1 };
-        let mut values = vec![0.0; width * self.count(PeriodicCount::GivenPoints)?];
+        let mut values = vec![0.0; width * self.statistic(PeriodicStatistic::Points)?];
         self.ensure(unsafe {
             sys::mgdt_periodic_get_cell_measures(
                 self.raw(),
@@ -322,7 +293,7 @@ impl Periodic {
     }
 
     /// The Voronoi diagram of the points. Each cell is where its point is;
-    /// [`FaceImages`](crate::VoronoiArray::FaceImages) says which images are beyond its faces.
+    /// [`FaceShifts`](crate::VoronoiArray::FaceShifts) says which images are beyond its faces.
     pub fn voronoi(&self) -> Result<Voronoi, Error> {
         let mut out = ptr::null_mut();
         self.ensure(unsafe { sys::mgdt_periodic_create_voronoi(self.raw(), &mut out) })?;

@@ -51,7 +51,7 @@ fn number(k: Option<usize>) -> i64 {
 
 /// The diagrams, clipped to a cube and not, are those of the C interface.
 fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
-    use mgdt::{VoronoiArray as Array, VoronoiNumbers as Numbers};
+    use mgdt::{VoronoiArray as Array, VoronoiDoubles as Numbers};
     for (prefix, planes) in [("cut", cube), ("whole", &[][..])] {
         let v = t.voronoi(planes).unwrap();
         let name = |name: &str| format!("{}_{}", prefix, name);
@@ -59,13 +59,13 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
             (Array::FaceOffsets, "face_offsets"),
             (Array::FaceCorners, "face_corners"),
             (Array::FaceSides, "face_sides"),
-            (Array::FaceImages, "face_images"),
+            (Array::FaceShifts, "face_shifts"),
             (Array::RayVertices, "ray_vertices"),
             (Array::CellOffsets, "cell_offsets"),
             (Array::CellFaces, "cell_faces"),
             (Array::CellBounded, "cell_bounded"),
             (Array::CellNeighbors, "cell_neighbors"),
-            (Array::CellNeighborImages, "cell_neighbor_images"),
+            (Array::CellNeighborShifts, "cell_neighbor_shifts"),
         ] {
             assert_eq!(v.array(key).unwrap(), integers(&name(of)), "{}", of);
         }
@@ -80,16 +80,16 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
             (Numbers::CellFaceAreas, "cell_face_areas"),
             (Numbers::CellNeighborDistances, "cell_neighbor_distances"),
         ] {
-            assert_eq!(v.numbers(key).unwrap(), doubles(&name(of)), "{}", of);
+            assert_eq!(v.doubles(key).unwrap(), doubles(&name(of)), "{}", of);
         }
         let flat: Vec<f64> = v.vertices().unwrap().into_iter().flatten().collect();
         assert_eq!(flat, doubles(&name("vertices")));
     }
     let mut v = t.voronoi(cube).unwrap();
-    let faces = v.numbers(Numbers::FaceAreas).unwrap().len();
+    let faces = v.doubles(Numbers::FaceAreas).unwrap().len();
     assert!(format!("{:?}", v).contains(&format!("faces: {}", faces)));
     v.drop_small_faces(0.01, 0.0).unwrap();
-    let fewer = v.numbers(Numbers::FaceAreas).unwrap();
+    let fewer = v.doubles(Numbers::FaceAreas).unwrap();
     assert!(fewer.len() < faces && fewer.iter().all(|&x| x >= 0.01));
     let error = v.drop_small_faces(-1.0, 0.0).unwrap_err();
     assert_eq!(error.kind(), mgdt::ErrorKind::InvalidArgument);
@@ -539,7 +539,7 @@ fn queries_from_many_threads_at_once() {
 
 #[test]
 fn a_periodic_box() {
-    use mgdt::{ErrorKind, Measure, Periodic, PeriodicArray as Array, PeriodicCount as Count};
+    use mgdt::{ErrorKind, Measure, Periodic, PeriodicArray as Array, PeriodicStatistic as Count};
     let vectors = [[4.0, 0.0, 0.0], [1.5, 3.0, 0.0], [-0.75, 0.5, 2.5]];
     let points = places("periodic_given_points");
     let mut p = Periodic::new(&vectors).unwrap();
@@ -561,14 +561,14 @@ fn a_periodic_box() {
         p.check().unwrap();
         for (array, name) in [
             (Array::PointMap, "point_map"),
-            (Array::PointOffsets, "point_offsets"),
+            (Array::PointShifts, "point_shifts"),
             (Array::Tetrahedra, "tetrahedra"),
-            (Array::Offsets, "offsets"),
+            (Array::TetrahedronShifts, "tetrahedron_shifts"),
             (Array::Neighbors, "neighbors"),
-            (Array::NeighborOffsets, "neighbor_offsets"),
-            (Array::VertexNeighborStarts, "vertex_neighbor_starts"),
-            (Array::VertexNeighbors, "vertex_neighbors"),
+            (Array::NeighborShifts, "neighbor_shifts"),
             (Array::VertexNeighborOffsets, "vertex_neighbor_offsets"),
+            (Array::VertexNeighbors, "vertex_neighbors"),
+            (Array::VertexNeighborShifts, "vertex_neighbor_shifts"),
         ] {
             let expected = integers(&format!("periodic_{}", name));
             assert_eq!(p.array(array).unwrap(), expected, "{}", name);
@@ -586,16 +586,16 @@ fn a_periodic_box() {
     assert_eq!(p.points().unwrap(), places("periodic_points"));
     assert_eq!(p.vectors().unwrap(), vectors);
     assert_eq!(plain(p.tetrahedra().unwrap()), rows::<4>("periodic_tetrahedra"));
-    let offsets = p.offsets().unwrap();
-    let flat: Vec<i64> = offsets.iter().flatten().flatten().copied().collect();
-    assert_eq!(flat, integers("periodic_offsets"));
+    let shifts = p.shifts().unwrap();
+    let flat: Vec<i64> = shifts.iter().flatten().flatten().copied().collect();
+    assert_eq!(flat, integers("periodic_tetrahedron_shifts"));
     let cells = p.voronoi().unwrap();
     assert_eq!(
-        cells.array(mgdt::VoronoiArray::FaceImages).unwrap(),
-        integers("periodic_cells_face_images")
+        cells.array(mgdt::VoronoiArray::FaceShifts).unwrap(),
+        integers("periodic_cells_face_shifts")
     );
     assert_eq!(cells.vertices().unwrap(), places("periodic_cells_vertices"));
-    let count = |count| p.count(count).unwrap();
+    let count = |count| p.statistic(count).unwrap();
     assert_eq!(count(Count::Vertices), 38);
     assert_eq!(count(Count::Edges), 38 + count(Count::Tetrahedra));
     assert!(format!("{:?}", p).contains("points: 40"));
@@ -623,5 +623,5 @@ fn a_periodic_box() {
     assert_eq!(refused(p.build()), ErrorKind::InvalidArgument);
     p.clear();
     p.build().unwrap();
-    assert_eq!(p.count(Count::Tetrahedra).unwrap(), 0);
+    assert_eq!(p.statistic(Count::Tetrahedra).unwrap(), 0);
 }
