@@ -7,6 +7,7 @@ folders of the source.
 
 Looks at the files that are named, or at all in the folders of the source.
 """
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -53,6 +54,18 @@ def problem_of(command, files):
     return (run.stdout + run.stderr).strip() if run.returncode else ""
 
 
+def broken_comments(source):
+    """Lines of documentation that clang-format has broken: they begin two blanks behind the asterisk."""
+    found = []
+    for path in sorted((source / "include").rglob("*.h*")):
+        text = path.read_text(encoding="utf-8")
+        for comment in re.finditer(r"/\*\*(?!\*).*?\*/", text, re.S):
+            for line in re.finditer(r"\n *\* \S", comment.group()):
+                number = text.count("\n", 0, comment.start() + line.start() + 1) + 1
+                found.append(f"{path.relative_to(source)}:{number}")
+    return " ".join(found)
+
+
 def main():
     source = Path(sys.argv[1])
     named = [source / name for name in sys.argv[2:]]
@@ -65,6 +78,7 @@ def main():
         if files:
             what = f"{Path(command[0]).name} {' '.join(command[1:])}: {len(files)} files"
             check(what, problem_of(command, sorted(files)))
+    check("comments of headers", broken_comments(source))
     check("the top level", " ".join(stray(source)))
     check("files to look at", "" if count > 300 or named else f"only {count}")
     finish()

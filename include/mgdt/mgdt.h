@@ -3,8 +3,16 @@
  * mgdt: exact 3D Delaunay triangulation of any set of points.
  *
  * This header is the C interface of one triangulation. It can be read from top to bottom as a
- * manual. mgdt_parts.h declares triangulations in parts, mgdt_mpi.h those whose parts are on the
- * ranks of an MPI communicator. The headers are C99, and C++ may include them.
+ * manual. The headers are C99, and C++ may include them. The others include this one and follow
+ * its conventions:
+ *
+ * - mgdt_voronoi.h: Voronoi diagrams as objects
+ * - mgdt_domain.h: surfaces, segments and regions that a mesh of tetrahedra has to have
+ * - mgdt_mesh.h: these meshes
+ * - mgdt_periodic.h: points in periodic boxes, slabs and wires
+ * - mgdt_parts.h: triangulations in parts
+ * - mgdt_mpi.h: triangulations whose parts are on the ranks of an MPI communicator
+ * - mgdt.hpp: all of these for C++17
  *
  * Conventions, for every function:
  *
@@ -29,6 +37,9 @@
  * - The caller allocates output arrays and passes their capacity, in array elements (not in bytes,
  *   not in tetrahedra). If an array is too small, the call returns MGDT_ERR_BUFFER_TOO_SMALL and
  *   does not write to the array.
+ * - Handles of mgdt_voronoi.h, mgdt_domain.h, mgdt_mesh.h and mgdt_periodic.h have keys: options
+ * are 1 to 99, statistics 100 to 199, arrays of integers 200 to 299, and arrays of doubles 300 to
+ *   399, in all later versions too. A key of another kind is MGDT_ERR_UNKNOWN_KEY.
  * - A function whose name ends in _i32 does what its namesake does, with 32-bit integers in the
  *   arrays. If an index does not fit, it returns MGDT_ERR_INDEX_RANGE.
  * - Thread rule: calls that take a `const mgdt_triangulation *` may run on one handle from many
@@ -734,8 +745,8 @@ MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t
  *  1e-12, and so is the error of an angle, however flat the tetrahedron is: volumes and radius
  *  ratios are positive. Numbers beyond the largest double are infinite, and numbers below the least
  *  normal one are rounded to subnormal ones or to 0. A number depends on the four points alone.
- * Uses the threads of mgdt_set_threads(). The derivation is in docs/theory.md, "Measures of
- * tetrahedra".
+ *  Uses the threads of mgdt_set_threads(). The derivation is in docs/theory.md, "Measures of
+ *  tetrahedra".
  *  @param measure   an MGDT_TETRAHEDRON_ value
  *  @param capacity  elements in x, at least mgdt_tetrahedron_count(t)
  *  @param[out] x    may be NULL if there are no tetrahedra

@@ -14,9 +14,7 @@
  * an edge and are in one plane, exactly, after rounding, are one facet.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
- * thread rule. The ranges of the keys are part of them: options are 1 to 99, statistics 100 to 199,
- * arrays of integers 200 to 299, in later versions too. A key of another kind is
- * MGDT_ERR_UNKNOWN_KEY.
+ * ranges of keys, the thread rule.
  *
  * @since 1.3
  */
@@ -192,7 +190,7 @@ MGDT_API mgdt_status mgdt_domain_set_segments_i32(mgdt_domain* d, int64_t n, con
                                                   const int32_t* markers);
 
 /** Gives regions of the mesh their markers, in place of what was set before. A region has the
- * marker of the last place in it. A place outside of the domain has no effect, and
+ *  marker of the last place in it. A place outside of the domain has no effect, and
  *  MGDT_MESH_STAT_UNUSED_REGIONS counts it; a place on a facet is in the regions on both of its
  *  sides. A call that fails changes nothing.
  *  @param n        number of places, at least 0
@@ -227,13 +225,14 @@ MGDT_API mgdt_status mgdt_domain_validate(mgdt_domain* d);
 /** Makes a mesh. Facets that enclose nothing are refused; if all that they enclose are holes, the
  *  mesh has no tetrahedra. The domain stays as it is, and may be changed and built again.
  *  @param[out] out  the handle of the mesh; NULL if the call fails. The message of a failure is
- * that of the domain (mgdt_domain_get_error())
+ *                   that of the domain (mgdt_domain_get_error())
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_BOUNDARY as for mgdt_domain_validate(),
  *  MGDT_ERR_OPEN_BOUNDARY (the facets enclose nothing; the message names an edge where they are
  *  open, and MGDT_DOMAIN_ARRAY_OPEN_EDGES has all), MGDT_ERR_RESOLUTION (points or facets are
- * nearer to each other than the grid to which points are rounded, or an edge would have to be
- * divided more finely than doubles can), MGDT_ERR_INVALID_ARGUMENT (with MGDT_DOMAIN_OPTION_STRICT:
- * what the mesh leaves out), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  nearer to each other than the grid to which points are rounded, or an edge would have to be
+ *  divided more finely than doubles can), MGDT_ERR_INVALID_ARGUMENT (with
+ *  MGDT_DOMAIN_OPTION_STRICT: what the mesh leaves out), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
+ *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out);
 
@@ -241,10 +240,10 @@ MGDT_API mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out);
  *  every facet is covered by faces, once, and every segment by edges; regions have the markers of
  *  the places in them and contain no holes. It does not find anew which of the parts that facets
  *  enclose have to be filled. mgdt_mesh_check() checks all else of the mesh, and both together
- * prove it (docs/theory.md, "Meshes of domains").
+ *  prove it (docs/theory.md, "Meshes of domains").
  *  @param mesh  a mesh that mgdt_mesh_check() accepts
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CHECK_FAILED (the message says what is wrong
- * and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY (the domain or the mesh)
+ *  and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY (the domain or the mesh)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* mesh);
 

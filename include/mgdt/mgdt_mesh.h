@@ -22,9 +22,7 @@
  * of threads do not change it.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
- * thread rule. The ranges of the keys are part of them: options are 1 to 99, statistics 100 to 199,
- * arrays of integers 200 to 299, arrays of doubles 300 to 399, in later versions too. A key of
- * another kind is MGDT_ERR_UNKNOWN_KEY.
+ * ranges of keys, the thread rule.
  *
  * @since 1.3
  */

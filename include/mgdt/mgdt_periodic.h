@@ -21,8 +21,8 @@
  * do not depend on which images of the points are given, nor on the number of threads. Points with
  * the same images are one vertex.
  *
- * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
- * thread rule.
+ * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks,
+ * ranges of keys, the thread rule.
  *
  * @since 1.3
  */
@@ -55,7 +55,7 @@ enum {
     MGDT_PERIODIC_STAT_POINTS = 100,   /**< Points that were inserted. */
     MGDT_PERIODIC_STAT_VERTICES = 101, /**< Points without equal images. */
     /** Classes of tetrahedra. With three vectors, a set has as many edges as vertices and
-     * tetrahedra together. */
+     *  tetrahedra together. */
     MGDT_PERIODIC_STAT_TETRAHEDRA = 102,
     MGDT_PERIODIC_STAT_EDGES = 103,        /**< Classes of edges. */
     MGDT_PERIODIC_STAT_DIMENSIONS = 104,   /**< The number of vectors. */
@@ -112,7 +112,7 @@ enum {
  *  @param vectors     3 coordinates of each. Neither their order nor their handedness matters
  *  @param[out] out    the handle; NULL if the call fails
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (dimensions, or vectors that
- * do not span: they are on a line or in a plane, or so oblique that a basis of short vectors has
+ *  do not span: they are on a line or in a plane, or so oblique that a basis of short vectors has
  *  multiples above 2^31), MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vectors,
@@ -121,7 +121,7 @@ MGDT_API mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vect
 /** Makes a box that takes all its memory from `alloc`.
  *  @param alloc, release, user  as for mgdt_create_with_allocator()
  *  @return as mgdt_periodic_create(), and MGDT_ERR_INVALID_ARGUMENT (one function without the
- * other)
+ *  other)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_create_with_allocator(int32_t dimensions, const double* vectors,
                                                          mgdt_alloc_fn alloc, mgdt_free_fn release,
@@ -182,8 +182,8 @@ MGDT_API mgdt_status mgdt_periodic_get_progress(const mgdt_periodic* p, mgdt_pro
 
 /** Asks the running mgdt_periodic_build(), mgdt_periodic_check() or mgdt_periodic_create_voronoi()
  *  to stop soon. That call then returns MGDT_ERR_CANCELLED. If none is running, the request stays
- * pending and stops the next one, unless mgdt_periodic_clear() comes first. Any thread and any
- * signal handler may call this function.
+ *  pending and stops the next one, unless mgdt_periodic_clear() comes first. Any thread and any
+ *  signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_cancel(mgdt_periodic* p);
@@ -191,7 +191,7 @@ MGDT_API mgdt_status mgdt_periodic_cancel(mgdt_periodic* p);
 /* ----------------------------------------------------------------------------- points --- */
 
 /** Inserts points, which are copied and numbered on. The triangulation is removed. A call that
- * fails changes nothing.
+ *  fails changes nothing.
  *  @param n    number of points, at least 0
  *  @param xyz  3 n coordinates; may be NULL if n is 0
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n), MGDT_ERR_NOT_FINITE (the
@@ -227,7 +227,7 @@ MGDT_API mgdt_status mgdt_periodic_build(mgdt_periodic* p);
 
 /** Checks the triangulation, with exact arithmetic and without what the build has used besides: all
  *  tetrahedra are positive, fill space once with their images, and are Delaunay, with ties broken
- * by the perturbation (docs/theory.md, "Periodic boxes").
+ *  by the perturbation (docs/theory.md, "Periodic boxes").
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT,
  *  MGDT_ERR_CHECK_FAILED (the message says what is wrong and where), MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY
@@ -246,7 +246,7 @@ MGDT_API mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key,
  *  @param array           an MGDT_PERIODIC_ARRAY_ value
  *  @param[out] columns    how many elements belong together, such as 4 for tetrahedra; may be NULL
  *  @param[out] is_double  1 for mgdt_periodic_get_doubles(), 0 for mgdt_periodic_get_array(); may
- * be NULL
+ *                         be NULL
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns, int32_t* is_double);
@@ -295,10 +295,10 @@ MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int
 
 /** Makes the Voronoi diagram of the points, a handle as mgdt_voronoi_create() makes it. Each point
  *  has its cell where the caller has put it. Two cells share a face if they meet as they are; a
- * cell that meets an image of another one, or of itself, has that face for itself. The first side
- * of a face is then the cell's own point, the second one the point whose image is on the other
- * side, and MGDT_VORONOI_ARRAY_FACE_SHIFTS has the shifts of the images. The diagram takes its
- * memory from the same functions and has the same memory limit for itself.
+ *  cell that meets an image of another one, or of itself, has that face for itself. The first side
+ *  of a face is then the cell's own point, the second one the point whose image is on the other
+ *  side, and MGDT_VORONOI_ARRAY_FACE_SHIFTS has the shifts of the images. The diagram takes its
+ *  memory from the same functions and has the same memory limit for itself.
  *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the box
  *                   (mgdt_periodic_get_error())
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (the

@@ -18,7 +18,8 @@
  * The diagram depends on the points alone: the order in which they were inserted and the number of
  * threads change no bit of it.
  *
- * The conventions are those of mgdt.h: status and message, capacities in elements, the thread rule.
+ * The conventions are those of mgdt.h: status and message, capacities in elements, ranges of keys,
+ * the thread rule.
  *
  * @since 1.3
  */
@@ -73,10 +74,10 @@ enum {
     /** For each point 1 if it has a cell and this cell is bounded, otherwise 0. */
     MGDT_VORONOI_ARRAY_CELL_BOUNDED = 222,
     /** For each element of MGDT_VORONOI_ARRAY_CELL_FACES what is on the other side of the face: a
-     * point, or -1 - k for plane k. With MGDT_VORONOI_ARRAY_CELL_OFFSETS,
-     * MGDT_VORONOI_ARRAY_CELL_FACE_AREAS and MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES this is a
-     * list of neighbours with weights; a point may be in the list of a cell of a periodic box
-     * several times, as different images. */
+     *  point, or -1 - k for plane k. With MGDT_VORONOI_ARRAY_CELL_OFFSETS,
+     *  MGDT_VORONOI_ARRAY_CELL_FACE_AREAS and MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES this is a
+     *  list of neighbours with weights; a point may be in the list of a cell of a periodic box
+     *  several times, as different images. */
     MGDT_VORONOI_ARRAY_CELL_NEIGHBORS = 223,
     /** Three elements for each of these, a shift: how often each vector of the box has to be added
      *  to the point to get the image that is the neighbour. Empty if there is no box. */
@@ -107,9 +108,9 @@ enum {
     /** For each element of MGDT_VORONOI_ARRAY_CELL_FACES the area of the face. */
     MGDT_VORONOI_ARRAY_CELL_FACE_AREAS = 332,
     /** For each element of MGDT_VORONOI_ARRAY_CELL_FACES the distance of the cell's point from the
-     * point on the other side, with an error of at most 1e-15 times the distance; or from the plane
-     *  there, with an error of at most 1e-15 times the sum of the distance and the point's largest
-     *  coordinate. */
+     *  point on the other side, with an error of at most 1e-15 times the distance; or from the
+     *  plane there, with an error of at most 1e-15 times the sum of the distance and the point's
+     *  largest coordinate. */
     MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES = 333
 };
 
@@ -144,9 +145,9 @@ MGDT_API mgdt_status mgdt_voronoi_get_stat(const mgdt_voronoi* v, int32_t key, i
 /** Gives the shape of an array, which is the same for all diagrams.
  *  @param array           an MGDT_VORONOI_ARRAY_ value
  *  @param[out] columns    how many elements belong together, such as 2 for the sides of faces; may
- * be NULL
+ *                         be NULL
  *  @param[out] is_double  1 for mgdt_voronoi_get_doubles(), 0 for mgdt_voronoi_get_array(); may be
- * NULL
+ *                         NULL
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_voronoi_array_info(int32_t array, int32_t* columns, int32_t* is_double);

@@ -184,7 +184,7 @@ enum class DomainStatistic : std::int32_t {
 };
 
 /** Arrays of integers of a domain; see MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS and its neighbours.
- * @since 1.3 */
+ *  @since 1.3 */
 enum class DomainArray : std::int32_t {
     offending_pairs = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS,
     open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES

@@ -125,7 +125,7 @@ class Domain : public detail::Results<detail::DomainCalls> {
         return mesh;
     }
     /** Compares a mesh with what was set; mgdt_domain_check(). @throw Cancelled, OutOfMemory,
-     * Error, and what the progress callback throws */
+     *  Error, and what the progress callback throws */
     void check(const Mesh& mesh) const { finish(mgdt_domain_check(get(), mesh.handle())); }
 
   private:
