@@ -58,7 +58,9 @@ def private_names(text):
     functions, others = set(), set()
     for start in re.finditer(r"^namespace \{$", text, re.MULTILINE):
         end = text.index("\n}  // namespace\n", start.end())
-        body = text[start.end():end]
+        # What is in a namespace with a name there has a name of its own.
+        body = re.sub(r"^namespace (\w+) \{$.*?^\}  // namespace \1$", "", text[start.end():end],
+                      flags=re.MULTILINE | re.DOTALL)
         others |= set(re.findall(r"^(?:struct|class|enum(?: class)?) (?:alignas\(\w+\) )?(\w+)", body, re.MULTILINE))
         others |= set(re.findall(r"^using (\w+) =", body, re.MULTILINE))
         for line in re.findall(r"^(?:constexpr|const|inline|std::|thread_local)[^;(]*?=[^;]*;", body, re.MULTILINE):
