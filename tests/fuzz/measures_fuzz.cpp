@@ -155,7 +155,15 @@ class Measured {
         FUZZ_REQUIRE((status == MGDT_OK) == (v != nullptr), "a handle of a failed call");
         if (status != MGDT_OK) return {};
         std::vector<Numbers> all;
-        for (const std::int32_t array : {10, 11, 12, 20, 30, 31, 32, 50, 51, 60, 61, 62, 70, 71}) {
+        constexpr std::int32_t arrays[] = {
+            MGDT_VORONOI_ARRAY_FACE_OFFSETS,   MGDT_VORONOI_ARRAY_FACE_CORNERS,
+            MGDT_VORONOI_ARRAY_FACE_SIDES,     MGDT_VORONOI_ARRAY_RAY_VERTICES,
+            MGDT_VORONOI_ARRAY_CELL_OFFSETS,   MGDT_VORONOI_ARRAY_CELL_FACES,
+            MGDT_VORONOI_ARRAY_CELL_BOUNDED,   MGDT_VORONOI_ARRAY_VERTICES,
+            MGDT_VORONOI_ARRAY_RAY_DIRECTIONS, MGDT_VORONOI_ARRAY_FACE_AREAS,
+            MGDT_VORONOI_ARRAY_FACE_NORMALS,   MGDT_VORONOI_ARRAY_FACE_CENTROIDS,
+            MGDT_VORONOI_ARRAY_CELL_VOLUMES,   MGDT_VORONOI_ARRAY_CELL_CENTROIDS};
+        for (const std::int32_t array : arrays) {
             std::int64_t size = -1;
             FUZZ_REQUIRE(mgdt_voronoi_get_size(v, array, &size) == MGDT_OK && size >= 0, "size");
             Numbers x(static_cast<std::size_t>(size));
