@@ -75,7 +75,7 @@ class Keyed:
         self.call("get_stat", CONSTANTS[f"{self.kind}_stat"][name], ctypes.byref(value))
         return value.value
 
-    def array(self, name: str, integer: Any = np.int32) -> Any:
+    def array(self, name: str, integer: Any = np.int32) -> NDArray[Any]:
         """An array, with as many columns as elements belong together if these are several."""
         key = CONSTANTS[f"{self.kind}_array"][name]
         columns, is_double, size = c_int32(), c_int32(), c_int64()
