@@ -71,7 +71,7 @@ class HandleBase {
     mutable char message_[Error::message_size] = {};
 };
 
-// A function object without its type, so that the guards are compiled once.
+// Refers to a function object and hides its type, so that each guard is compiled once.
 class Body {
   public:
     template <class F>

@@ -10,7 +10,8 @@ module Mgdt
       @keys = CONSTANTS.fetch(:"#{kind}_array")
     end
 
-    # An array of integers or of doubles; Arrays of as many as belong together.
+    # Returns an array of integers or of doubles. If several elements belong together, such as the four
+    # corners of a tetrahedron, each of these rows is an Array.
     def array(name)
       columns = FFI::MemoryPointer.new(:int32)
       is_double = FFI::MemoryPointer.new(:int32)
