@@ -64,7 +64,7 @@ module mgdt
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
     public :: mgdt_tetrahedron_volume, mgdt_tetrahedron_radius_ratio, &
-              mgdt_tetrahedron_least_angle, mgdt_tetrahedron_largest_angle, &
+              mgdt_tetrahedron_least_dihedral_angle, mgdt_tetrahedron_largest_dihedral_angle, &
               mgdt_tetrahedron_longest_edge
     public :: mgdt_interpolate_linear, mgdt_interpolate_nearest, mgdt_interpolate_sibson, &
               mgdt_interpolate_laplace, mgdt_interpolate_sibson_c1

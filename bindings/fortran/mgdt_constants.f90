@@ -177,9 +177,9 @@ module mgdt_constants
     ! tetrahedron, near 0 for a flat one.
     integer, parameter :: mgdt_tetrahedron_radius_ratio = 20
     ! Least of the six dihedral angles.
-    integer, parameter :: mgdt_tetrahedron_least_angle = 30
+    integer, parameter :: mgdt_tetrahedron_least_dihedral_angle = 30
     ! Largest of the six dihedral angles.
-    integer, parameter :: mgdt_tetrahedron_largest_angle = 31
+    integer, parameter :: mgdt_tetrahedron_largest_dihedral_angle = 31
     ! Length of the longest edge.
     integer, parameter :: mgdt_tetrahedron_longest_edge = 40
 

@@ -38,7 +38,7 @@ module mgdt_mesh
               mgdt_mesh_array_steiner_edges, mgdt_mesh_array_points, &
               mgdt_mesh_array_steiner_parameters
     public :: mgdt_tetrahedron_volume, mgdt_tetrahedron_radius_ratio, &
-              mgdt_tetrahedron_least_angle, mgdt_tetrahedron_largest_angle, &
+              mgdt_tetrahedron_least_dihedral_angle, mgdt_tetrahedron_largest_dihedral_angle, &
               mgdt_tetrahedron_longest_edge
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_unknown_key, &
               mgdt_err_buffer_too_small, mgdt_err_index_range, mgdt_err_out_of_memory, &

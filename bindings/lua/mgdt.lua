@@ -427,7 +427,7 @@ end
 
 local measures, tetrahedron_measures = constants.measure, constants.tetrahedron
 
---- A measure of each tetrahedron, "volume", "radius_ratio", "least_angle" or "largest_angle" (dihedral,
+--- A measure of each tetrahedron, "volume", "radius_ratio", "least_dihedral_angle" or "largest_dihedral_angle" (dihedral,
 --- in radians) or "longest_edge"; and the number of tetrahedra. Since 1.3.
 function Triangulation:tetrahedron_measures(measure)
     local handle = handle_of(self)

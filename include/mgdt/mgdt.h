@@ -242,9 +242,9 @@ enum {
     /** 3 times the radius of the inscribed sphere over that of the circumsphere: 1 for a regular
      *  tetrahedron, near 0 for a flat one. */
     MGDT_TETRAHEDRON_RADIUS_RATIO = 20,
-    MGDT_TETRAHEDRON_LEAST_ANGLE = 30,   /**< Least of the six dihedral angles. */
-    MGDT_TETRAHEDRON_LARGEST_ANGLE = 31, /**< Largest of the six dihedral angles. */
-    MGDT_TETRAHEDRON_LONGEST_EDGE = 40   /**< Length of the longest edge. */
+    MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE = 30,   /**< Least of the six dihedral angles. */
+    MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE = 31, /**< Largest of the six dihedral angles. */
+    MGDT_TETRAHEDRON_LONGEST_EDGE = 40            /**< Length of the longest edge. */
 };
 
 /** Methods of interpolation: how a value anywhere is computed from values at the vertices.

@@ -29,10 +29,10 @@ inline TetrahedronMeasure tetrahedron_measure_of(std::int32_t measure) {
             return TetrahedronMeasure::volume;
         case MGDT_TETRAHEDRON_RADIUS_RATIO:
             return TetrahedronMeasure::radius_ratio;
-        case MGDT_TETRAHEDRON_LEAST_ANGLE:
-            return TetrahedronMeasure::least_angle;
-        case MGDT_TETRAHEDRON_LARGEST_ANGLE:
-            return TetrahedronMeasure::largest_angle;
+        case MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE:
+            return TetrahedronMeasure::least_dihedral_angle;
+        case MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE:
+            return TetrahedronMeasure::largest_dihedral_angle;
         case MGDT_TETRAHEDRON_LONGEST_EDGE:
             return TetrahedronMeasure::longest_edge;
         default:

@@ -113,7 +113,7 @@ bool measure_in(Numbers& numbers, const double* const (&p)[4], int scale,
                 .in_double();
         return is_known;
     }
-    x = extreme_angle(measure == TetrahedronMeasure::largest_angle, [&](int i, int j) {
+    x = extreme_angle(measure == TetrahedronMeasure::largest_dihedral_angle, [&](int i, int j) {
         const Vector<B>& edge = shape.edge_of_facets(i, j);
         const B cosine = dot(shape.normal[i], shape.normal[j]);
         const WideDouble size = root(square[i] * square[j]);
@@ -163,9 +163,9 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
             x = 6 * (volume6 * volume6) / (areas * length(shape.center_numerator()));
             break;
         }
-        case TetrahedronMeasure::least_angle:
-        case TetrahedronMeasure::largest_angle:
-            x = extreme_angle(measure == TetrahedronMeasure::largest_angle,
+        case TetrahedronMeasure::least_dihedral_angle:
+        case TetrahedronMeasure::largest_dihedral_angle:
+            x = extreme_angle(measure == TetrahedronMeasure::largest_dihedral_angle,
                               [&](int i, int j) { return angle_in_doubles(shape, i, j); });
             break;
         default:

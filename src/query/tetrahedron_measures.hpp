@@ -6,7 +6,13 @@
 
 namespace mgdt {
 
-enum class TetrahedronMeasure { volume, radius_ratio, least_angle, largest_angle, longest_edge };
+enum class TetrahedronMeasure {
+    volume,
+    radius_ratio,
+    least_dihedral_angle,
+    largest_dihedral_angle,
+    longest_edge
+};
 
 // Upper bound on the relative error of a measure, unless it is rounded to a subnormal number, and
 // on the error of an angle. docs/theory.md, "Measures of tetrahedra", has the proof.

@@ -87,11 +87,13 @@ static void measures(void) {
     CHECK(fabs(sum - 1) < 1e-15);
     CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LONGEST_EDGE, n, x), MGDT_OK);
     for (k = 0; k < n; ++k) CHECK(x[k] == sqrt(2) || x[k] == sqrt(3));
-    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_ANGLE, n, x), MGDT_OK);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE, n, x),
+                MGDT_OK);
     for (k = 0; k < n; ++k)
         CHECK(fabs(x[k] - pi / 2) < 1e-15 || fabs(x[k] - acos(1.0 / 3)) < 1e-15 ||
               fabs(x[k] - acos(-sqrt(1.0 / 3))) < 1e-15);
-    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_ANGLE, n, x), MGDT_OK);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE, n, x),
+                MGDT_OK);
     for (k = 0; k < n; ++k) CHECK(x[k] > 0.61 && x[k] < 1.24);
     CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO, n, x), MGDT_OK);
     for (k = 0; k < n; ++k) CHECK(x[k] > 0.5 && x[k] < 1 + 1e-15);

@@ -87,7 +87,7 @@ constexpr Export exports[] = {
     {"circumcentres", false, false, corners, get_circumcenters},
     {"volumes of tetrahedra", false, false, corners, get_measure<MGDT_TETRAHEDRON_VOLUME>},
     {"radius ratios", false, false, corners, get_measure<MGDT_TETRAHEDRON_RADIUS_RATIO>},
-    {"least angles", false, false, corners, get_measure<MGDT_TETRAHEDRON_LEAST_ANGLE>},
+    {"least angles", false, false, corners, get_measure<MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE>},
     {"alphas of facets", false, false, corners, get_alphas<2>},
     {"alphas of edges", false, false, mgdt_edge_count, get_alphas<1>},
     {"volumes of cells", false, false, mgdt_point_count, get_volumes},

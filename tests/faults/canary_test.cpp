@@ -260,8 +260,8 @@ const Function functions[] = {
          return std::vector<Wanted>{{mgdt_tetrahedron_count(t), sizeof(double), false, false}};
      },
      [](mgdt_triangulation* t, const Given& g) {
-         return mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_ANGLE, g.capacity[0],
-                                              static_cast<double*>(g.array[0]));
+         return mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE,
+                                              g.capacity[0], static_cast<double*>(g.array[0]));
      }},
     {"mgdt_get_alphas",
      [](T t) {

@@ -207,8 +207,8 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
         squares(static_cast<std::size_t>(tetrahedra));
     meter("mgdt_get_circumcenters",
           [&] { return mgdt_get_circumcenters(t, tetrahedra, centers.data(), squares.data()); });
-    for (const std::int32_t measure :
-         {MGDT_TETRAHEDRON_VOLUME, MGDT_TETRAHEDRON_RADIUS_RATIO, MGDT_TETRAHEDRON_LEAST_ANGLE})
+    for (const std::int32_t measure : {MGDT_TETRAHEDRON_VOLUME, MGDT_TETRAHEDRON_RADIUS_RATIO,
+                                       MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE})
         meter("mgdt_get_tetrahedron_measures", [&] {
             return mgdt_get_tetrahedron_measures(t, measure, tetrahedra, squares.data());
         });

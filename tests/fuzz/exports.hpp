@@ -219,8 +219,8 @@ struct Exports {
             FUZZ_REQUIRE(x > 0, "the length of an edge");
         for (const double x : measured(MGDT_TETRAHEDRON_RADIUS_RATIO))
             FUZZ_REQUIRE(x >= 0 && x <= 1 + 1e-12, "a ratio of radii");
-        const std::vector<double> least = measured(MGDT_TETRAHEDRON_LEAST_ANGLE),
-                                  largest = measured(MGDT_TETRAHEDRON_LARGEST_ANGLE);
+        const std::vector<double> least = measured(MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE),
+                                  largest = measured(MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE);
         // Of a regular tetrahedron both are acos(1/3).
         for (std::size_t i = 0; i < least.size(); ++i)
             FUZZ_REQUIRE(least[i] >= 0 && least[i] <= 1.2309595 && largest[i] >= 1.2309594 &&

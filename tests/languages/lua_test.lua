@@ -143,8 +143,8 @@ test("random points: every export as the C interface writes it", function()
     same(t:cell_measures("faces"), read("faces", "double"), cells, "faces")
     local ratios, number_of_tetrahedra = t:tetrahedron_measures("radius_ratio")
     same(ratios, read("radius_ratios", "double"), number_of_tetrahedra, "radius ratios")
-    same(t:tetrahedron_measures("largest_angle"), read("largest_angles", "double"), number_of_tetrahedra, "angles")
-    refused("invalid_argument", { "the measure is faces; it must be one of", "least_angle" }, t.tetrahedron_measures, t,
+    same(t:tetrahedron_measures("largest_dihedral_angle"), read("largest_angles", "double"), number_of_tetrahedra, "angles")
+    refused("invalid_argument", { "the measure is faces; it must be one of", "least_dihedral_angle" }, t.tetrahedron_measures, t,
         "faces")
     for prefix, planes in pairs { cut = box, whole = {} } do
         local v = t:voronoi(planes)

@@ -105,8 +105,8 @@ function exports (folder)
   assert (t.cell_measures ("centroid", box), read (folder, "centroids", "double", 3));
   assert (t.cell_measures ("faces"), read (folder, "faces", "double", 1));
   assert (t.tetrahedron_measures ("radius_ratio"), read (folder, "radius_ratios", "double", 1));
-  assert (t.tetrahedron_measures ("largest_angle"), read (folder, "largest_angles", "double", 1));
-  refused ("mgdt:unknown_key", {"least_angle"}, @() t.tetrahedron_measures ("faces"));
+  assert (t.tetrahedron_measures ("largest_dihedral_angle"), read (folder, "largest_angles", "double", 1));
+  refused ("mgdt:unknown_key", {"least_dihedral_angle"}, @() t.tetrahedron_measures ("faces"));
   diagrams (folder, t, box);
   places = read (folder, "queries", "double", 3);
   values = read (folder, "values", "double", 2);

@@ -336,7 +336,8 @@ int main(int argc, char** argv) {
     require(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO, tetrahedra, squares),
             t);
     write_file("radius_ratios", squares, tetrahedra);
-    require(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_ANGLE, tetrahedra, squares),
+    require(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE, tetrahedra,
+                                          squares),
             t);
     write_file("largest_angles", squares, tetrahedra);
     measures = room(3 * n, sizeof *measures);

@@ -268,8 +268,8 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.doubles("centroids").each_slice(3).to_a, t.cell_measures(:centroid, box)
     assert_equal self.class.doubles("faces"), t.cell_measures(:faces)
     assert_equal self.class.doubles("radius_ratios"), t.tetrahedron_measures(:radius_ratio)
-    assert_equal self.class.doubles("largest_angles"), t.tetrahedron_measures(:largest_angle)
-    refused(Mgdt::InvalidArgument, "the measure is :faces", ":least_angle") { t.tetrahedron_measures(:faces) }
+    assert_equal self.class.doubles("largest_angles"), t.tetrahedron_measures(:largest_dihedral_angle)
+    refused(Mgdt::InvalidArgument, "the measure is :faces", ":least_dihedral_angle") { t.tetrahedron_measures(:faces) }
     diagrams_are_those_of_the_c_interface(t, box)
     places = self.class.doubles("queries").each_slice(3).to_a
     values = self.class.doubles("values").each_slice(2).to_a

@@ -230,7 +230,7 @@ class Output(unittest.TestCase):
         np.testing.assert_allclose(tri.tetrahedron_measures("longest_edge"), spans.max(axis=(1, 2)), rtol=1e-12)
         ratios = tri.tetrahedron_measures("radius_ratio")
         self.assertTrue(((ratios > 0) & (ratios < 1)).all())
-        least, largest = (tri.tetrahedron_measures(m) for m in ("least_angle", "largest_angle"))
+        least, largest = (tri.tetrahedron_measures(m) for m in ("least_dihedral_angle", "largest_dihedral_angle"))
         self.assertTrue(((0 < least) & (least < largest) & (largest < np.pi)).all())
         with self.assertRaisesRegex(ValueError, "there is no measure 'size'; there are volume, radius_ratio"):
             tri.tetrahedron_measures("size")

@@ -23,8 +23,8 @@ using Row = std::array<Rational, 3>;
 using Points = std::array<std::array<double, 3>, 4>;
 using M = TetrahedronMeasure;
 
-constexpr M all_measures[] = {M::volume, M::radius_ratio, M::least_angle, M::largest_angle,
-                              M::longest_edge};
+constexpr M all_measures[] = {M::volume, M::radius_ratio, M::least_dihedral_angle,
+                              M::largest_dihedral_angle, M::longest_edge};
 
 Row minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     Row r;
@@ -85,7 +85,8 @@ Float expected(const Points& p, M measure) {
             }
             const Row normal = cross(side[0], side[1]);
             const Float angle = atan2(root(dot(normal, normal)), Float(dot(side[0], side[1])));
-            const bool is_more = measure == M::least_angle ? angle < extreme : angle > extreme;
+            const bool is_more =
+                measure == M::least_dihedral_angle ? angle < extreme : angle > extreme;
             if (extreme < 0 || is_more) extreme = angle;
         }
     }
@@ -102,7 +103,8 @@ void expect_measures(const Points& p, double tolerance = tetrahedron_measure_err
     for (const M measure : all_measures) {
         const Float exact = expected(p, measure);
         const double x = measured(p, measure);
-        const bool is_angle = measure == M::least_angle || measure == M::largest_angle;
+        const bool is_angle =
+            measure == M::least_dihedral_angle || measure == M::largest_dihedral_angle;
         if (exact > std::numeric_limits<double>::max()) {
             EXPECT_EQ(x, HUGE_VAL);
         } else if (exact < std::numeric_limits<double>::min()) {
@@ -126,8 +128,8 @@ TEST(TetrahedronMeasures, OfARegularOne) {
     const Points p = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
     EXPECT_NEAR(measured(p, M::volume), 8.0 / 3, 1e-14);
     EXPECT_NEAR(measured(p, M::radius_ratio), 1, 1e-14);
-    EXPECT_NEAR(measured(p, M::least_angle), std::acos(1.0 / 3), 1e-14);
-    EXPECT_NEAR(measured(p, M::largest_angle), std::acos(1.0 / 3), 1e-14);
+    EXPECT_NEAR(measured(p, M::least_dihedral_angle), std::acos(1.0 / 3), 1e-14);
+    EXPECT_NEAR(measured(p, M::largest_dihedral_angle), std::acos(1.0 / 3), 1e-14);
     EXPECT_NEAR(measured(p, M::longest_edge), std::sqrt(8), 1e-14);
 }
 

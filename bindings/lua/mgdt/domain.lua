@@ -155,7 +155,7 @@ function Mesh:check()
     return true
 end
 
---- A measure of each tetrahedron: "volume", "radius_ratio", "least_angle", "largest_angle" or
+--- A measure of each tetrahedron: "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle" or
 --- "longest_edge"; and the number of tetrahedra.
 function Mesh:tetrahedron_measures(measure)
     local key = choice(measure, constants.tetrahedron, "the measure")

@@ -295,8 +295,8 @@ CONSTANTS: dict[str, dict[str, int]] = {
     "tetrahedron": {
         "volume": 10,
         "radius_ratio": 20,
-        "least_angle": 30,
-        "largest_angle": 31,
+        "least_dihedral_angle": 30,
+        "largest_dihedral_angle": 31,
         "longest_edge": 40,
     },
     "method": {

@@ -339,7 +339,7 @@ class Delaunay(GrowingTriangulation):
         measure : str
             "volume"; "radius_ratio", 3 times the radius of the inscribed sphere over that of the
             circumsphere, which is 1 for a regular tetrahedron and near 0 for a flat one;
-            "least_angle" or "largest_angle" of the six dihedral angles, in radians; or
+            "least_dihedral_angle" or "largest_dihedral_angle" of the six dihedral angles, in radians; or
             "longest_edge", its length.
 
         Returns

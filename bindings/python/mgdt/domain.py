@@ -411,7 +411,7 @@ class DomainMesh:
 
         Parameters
         ----------
-        measure : "volume", "radius_ratio", "least_angle", "largest_angle" or "longest_edge"
+        measure : "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle" or "longest_edge"
         """
         if measure not in CONSTANTS["tetrahedron"]:
             known = ", ".join(CONSTANTS["tetrahedron"])

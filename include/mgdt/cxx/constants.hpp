@@ -92,8 +92,8 @@ enum class Measure : std::int32_t {
 enum class TetrahedronMeasure : std::int32_t {
     volume = MGDT_TETRAHEDRON_VOLUME,
     radius_ratio = MGDT_TETRAHEDRON_RADIUS_RATIO,
-    least_angle = MGDT_TETRAHEDRON_LEAST_ANGLE,
-    largest_angle = MGDT_TETRAHEDRON_LARGEST_ANGLE,
+    least_dihedral_angle = MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE,
+    largest_dihedral_angle = MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE,
     longest_edge = MGDT_TETRAHEDRON_LONGEST_EDGE
 };
 

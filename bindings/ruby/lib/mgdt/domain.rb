@@ -62,7 +62,7 @@ module Mgdt
       self
     end
 
-    # A measure of each tetrahedron: :volume, :radius_ratio, :least_angle, :largest_angle or :longest_edge.
+    # A measure of each tetrahedron: :volume, :radius_ratio, :least_dihedral_angle, :largest_dihedral_angle or :longest_edge.
     def tetrahedron_measures(measure)
       key = CONSTANTS[:tetrahedron].fetch(measure.to_sym) do
         raise InvalidArgument.new("there is no measure #{measure.inspect} of tetrahedra", 11)

@@ -306,7 +306,7 @@ module Mgdt
       end
     end
 
-    # A measure of each tetrahedron: :volume, :radius_ratio, :least_angle, :largest_angle (dihedral, in
+    # A measure of each tetrahedron: :volume, :radius_ratio, :least_dihedral_angle, :largest_dihedral_angle (dihedral, in
     # radians) or :longest_edge. Since 1.3.
     def tetrahedron_measures(measure)
       key = choice(measure, TETRAHEDRON_MEASURES, "the measure")

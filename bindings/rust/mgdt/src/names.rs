@@ -164,9 +164,9 @@ pub enum TetrahedronMeasure {
     /// 3 times the radius of the inscribed sphere over that of the circumsphere: 1 if regular.
     RadiusRatio = sys::MGDT_TETRAHEDRON_RADIUS_RATIO,
     /// Least dihedral angle, in radians.
-    LeastAngle = sys::MGDT_TETRAHEDRON_LEAST_ANGLE,
+    LeastDihedralAngle = sys::MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE,
     /// Largest dihedral angle, in radians.
-    LargestAngle = sys::MGDT_TETRAHEDRON_LARGEST_ANGLE,
+    LargestDihedralAngle = sys::MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE,
     /// Length of the longest edge.
     LongestEdge = sys::MGDT_TETRAHEDRON_LONGEST_EDGE,
 }
