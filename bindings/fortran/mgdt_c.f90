@@ -695,20 +695,14 @@ module mgdt_c
             character(kind=c_char), intent(inout) :: buffer(*)
             integer(c_int32_t) :: status
         end function
-        function c_periodic_create(dimensions, vectors, out) result(status) &
-            bind(c, name='mgdt_periodic_create')
-            import :: c_double, c_int32_t, c_ptr
-            integer(c_int32_t), value :: dimensions
-            real(c_double), intent(in) :: vectors(*)
+        function c_periodic_create(out) result(status) bind(c, name='mgdt_periodic_create')
+            import :: c_int32_t, c_ptr
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: status
         end function
-        function c_periodic_create_with_allocator(dimensions, vectors, alloc, release, user, &
-            out) result(status) &
+        function c_periodic_create_with_allocator(alloc, release, user, out) result(status) &
             bind(c, name='mgdt_periodic_create_with_allocator')
-            import :: c_double, c_funptr, c_int32_t, c_ptr
-            integer(c_int32_t), value :: dimensions
-            real(c_double), intent(in) :: vectors(*)
+            import :: c_funptr, c_int32_t, c_ptr
             type(c_funptr), value :: alloc
             type(c_funptr), value :: release
             type(c_ptr), value :: user
@@ -722,6 +716,14 @@ module mgdt_c
         function c_periodic_clear(p) result(status) bind(c, name='mgdt_periodic_clear')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: p
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_set_vectors(p, dimensions, vectors) result(status) &
+            bind(c, name='mgdt_periodic_set_vectors')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: dimensions
+            real(c_double), intent(in) :: vectors(*)
             integer(c_int32_t) :: status
         end function
         function c_periodic_set_option(p, option, value) result(status) &

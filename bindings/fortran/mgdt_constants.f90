@@ -437,7 +437,7 @@ module mgdt_constants
     integer, parameter :: mgdt_periodic_stat_tetrahedra = 102
     ! Classes of edges.
     integer, parameter :: mgdt_periodic_stat_edges = 103
-    ! The number of vectors.
+    ! The number of vectors; 0 before they are set.
     integer, parameter :: mgdt_periodic_stat_dimensions = 104
     ! Memory that the handle holds.
     integer, parameter :: mgdt_periodic_stat_memory_bytes = 110

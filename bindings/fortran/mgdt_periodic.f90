@@ -38,15 +38,15 @@ module mgdt_periodic
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
               mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, mgdt_err_not_built
 
-    ! Points in a box and their triangulation. create comes first; other calls have the status
-    ! mgdt_err_null_pointer before. It frees what it holds when it goes out of scope. It cannot be
+    ! Points in a box and their triangulation. The first call that sets or inserts makes the
+    ! handle. It frees what it holds when it goes out of scope. It cannot be
     ! copied.
     type :: mgdt_periodic_box
         private
         type(c_ptr) :: handle = c_null_ptr
         type(progress_box), pointer :: progress => null()
     contains
-        procedure :: create, clear, cancel, build, check, statistic
+        procedure :: set_vectors, clear, cancel, build, check, statistic
         procedure :: set_progress, remove_progress
         procedure, private :: set_option_i32, set_option_i64
         generic :: set_option => set_option_i32, set_option_i64
@@ -70,35 +70,37 @@ module mgdt_periodic
 
 contains
 
-    ! Makes a box of one to three vectors, vectors(3, :). Points that there were are removed, unless
-    ! the call fails. In a callback of its own nothing is done.
-    subroutine create(self, vectors, stat, errmsg)
+    ! One to three vectors, vectors(3, :), in place of earlier ones. The points stay.
+    subroutine set_vectors(self, vectors, stat, errmsg)
         class(mgdt_periodic_box), intent(inout) :: self
         real(real64), contiguous, intent(in) :: vectors(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: made
         integer(c_int32_t) :: status
 
         if (size(vectors, 1) /= 3 .or. size(vectors, 2) < 1 .or. size(vectors, 2) > 3) then
-            call refuse('create', 'vectors has the extents '//decimal(size(vectors, 1, kind=int64))// &
-                        ' and '//decimal(size(vectors, 2, kind=int64))// &
+            call refuse('set_vectors', 'vectors has the extents '// &
+                        decimal(size(vectors, 1, kind=int64))//' and '// &
+                        decimal(size(vectors, 2, kind=int64))// &
                         '; they must be 3 and the number of vectors', stat, errmsg)
             return
         end if
-        made = c_null_ptr
-        status = c_periodic_create(size(vectors, 2, kind=c_int32_t), vectors, made)
-        if (status == mgdt_ok) status = c_periodic_set_option(made, &
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_set_vectors(self%handle, size(vectors, 2, kind=c_int32_t), vectors)
+        call finish(self, 'set_vectors', status, stat, errmsg)
+    end subroutine
+
+    ! The first call of all makes the handle.
+    subroutine make(self, status)
+        class(mgdt_periodic_box), intent(inout) :: self
+        integer(c_int32_t), intent(out) :: status
+
+        status = mgdt_ok
+        if (c_associated(self%handle)) return
+        status = c_periodic_create(self%handle)
+        if (status == mgdt_ok) status = c_periodic_set_option(self%handle, &
             int(mgdt_periodic_option_index_base, c_int32_t), 1_c_int64_t)
-        if (status == mgdt_ok .and. c_associated(self%handle)) &
-            status = c_periodic_set_progress(self%handle, c_null_funptr, c_null_ptr)
-        if (status == mgdt_ok) then
-            call self%destroy()
-            self%handle = made
-        else
-            call c_periodic_destroy(made)
-        end if
-        call report('create', status, c_text(c_status_string(status)), stat, errmsg)
     end subroutine
 
     ! Frees everything. In a callback of its own nothing is freed.
@@ -191,7 +193,9 @@ contains
 
         allocate (box)
         box%report => heard
-        status = c_periodic_set_progress(self%handle, c_funloc(relay), c_loc(box))
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_set_progress(self%handle, c_funloc(relay), c_loc(box))
         if (status == mgdt_ok) then
             if (associated(self%progress)) deallocate (self%progress)
             self%progress => box
@@ -208,7 +212,7 @@ contains
         integer(c_int32_t) :: status
 
         status = mgdt_ok
-        if (.true.) &
+        if (c_associated(self%handle)) &
             status = c_periodic_set_progress(self%handle, c_null_funptr, c_null_ptr)
         if (status == mgdt_ok .and. associated(self%progress)) deallocate (self%progress)
         call finish(self, 'remove_progress', status, stat, errmsg)
@@ -223,7 +227,9 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
         call finish(self, 'set_option', status, stat, errmsg)
     end subroutine
 
@@ -236,7 +242,9 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_set_option(self%handle, to_c(option), int(value, c_int64_t))
         call finish(self, 'set_option', status, stat, errmsg)
     end subroutine
 
@@ -274,9 +282,11 @@ contains
         real(real64), intent(in) :: distance
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
-        call finish(self, 'set_merge_distance', &
-                    c_periodic_set_merge_distance(self%handle, distance), stat, errmsg)
+        call make(self, status)
+        if (status == mgdt_ok) status = c_periodic_set_merge_distance(self%handle, distance)
+        call finish(self, 'set_merge_distance', status, stat, errmsg)
     end subroutine
 
     ! That distance.
@@ -298,15 +308,17 @@ contains
         real(real64), contiguous, intent(in) :: xyz(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
         if (mod(size(xyz, kind=int64), 3_int64) /= 0) then
             call refuse('insert_points', 'xyz has '//decimal(size(xyz, kind=int64))// &
                         ' elements; they must be 3 a point', stat, errmsg)
             return
         end if
-        call finish(self, 'insert_points', &
-                    c_periodic_insert_points(self%handle, size(xyz, kind=c_int64_t)/3, xyz), &
-                    stat, errmsg)
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_insert_points(self%handle, size(xyz, kind=c_int64_t)/3, xyz)
+        call finish(self, 'insert_points', status, stat, errmsg)
     end subroutine
 
     subroutine insert_points_2(self, xyz, stat, errmsg)
@@ -314,11 +326,13 @@ contains
         real(real64), contiguous, intent(in) :: xyz(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
 
         if (.not. has_rows('insert_points', xyz, stat, errmsg)) return
-        call finish(self, 'insert_points', &
-                    c_periodic_insert_points(self%handle, size(xyz, 2, kind=c_int64_t), xyz), &
-                    stat, errmsg)
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_periodic_insert_points(self%handle, size(xyz, 2, kind=c_int64_t), xyz)
+        call finish(self, 'insert_points', status, stat, errmsg)
     end subroutine
 
     ! Moves all points to xyz(3, n), or points(n) to it. The next build starts with the images that

@@ -7,21 +7,32 @@
 ! H is INTEGER H(4), a handle as MGNEW's, but of a box: these subroutines alone take it. The last
 ! argument is the status. Points and tetrahedra have numbers from 1.
 
-! Makes a box of NV vectors, VEC(3, NV); NV is 1, 2 or 3.
-subroutine mgbnew(nv, vec, h, ierr)
+! Makes a box without vectors and points.
+subroutine mgbnew(h, ierr)
     use mgdt_f77_support
     implicit none
-    integer, intent(in) :: nv
-    real(c_double), intent(in) :: vec(*)
     integer, intent(inout) :: h(4)
     integer, intent(inout) :: ierr
     type(c_ptr) :: pointer
 
-    if (integers_differ(h, ierr, nv)) return
-    ierr = c_periodic_create(to_c(nv), vec, pointer)
+    if (integers_differ(h, ierr)) return
+    ierr = c_periodic_create(pointer)
     if (ierr == mgdt_ok) &
         ierr = c_periodic_set_option(pointer, to_c(mgdt_periodic_option_index_base), 1_c_int64_t)
     call pack_handle(pointer, h, of_periodic)
+end subroutine
+
+! NV vectors, VEC(3, NV), in place of earlier ones; NV is 1, 2 or 3. The points stay.
+subroutine mgbsvc(h, nv, vec, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: nv
+    real(c_double), intent(in) :: vec(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, nv)) return
+    ierr = c_periodic_set_vectors(handle_of(h, of_periodic), to_c(nv), vec)
 end subroutine
 
 ! Frees the box and empties the handle.

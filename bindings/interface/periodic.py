@@ -6,8 +6,7 @@ from description import Description, Group
 PERIODIC = Description(
     "mgdt_periodic.h",
     {
-        "mgdt_periodic_create": {"vectors": "3*dimensions"},
-        "mgdt_periodic_create_with_allocator": {"vectors": "3*dimensions"},
+        "mgdt_periodic_set_vectors": {"vectors": "3*dimensions"},
         "mgdt_periodic_get_option": {"value": "1"},
         "mgdt_periodic_get_merge_distance": {"distance": "1"},
         "mgdt_periodic_get_progress": {"fn": "1"},

@@ -80,10 +80,8 @@ static mxArray* periodic_box(int count, const mxArray* const* given) {
     distance = number(given[10], "merge_distance");
     close_box();
     if (n_vectors > 3) bad_argument("the box has more than three vectors");
-    status = mgdt.periodic_create((int32_t)n_vectors, vectors, &box);
-    if (status == MGDT_ERR_INVALID_ARGUMENT)
-        bad_argument("the vectors of the box do not span, or hardly");
-    ensure(NULL, status);
+    ensure(NULL, mgdt.periodic_create(&box));
+    ensure_box(mgdt.periodic_set_vectors(box, (int32_t)n_vectors, vectors));
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_INDEX_BASE, 1));
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_THREADS, threads));
     ensure_box(mgdt.periodic_set_option(box, MGDT_PERIODIC_OPTION_MEMORY_LIMIT, limit));

@@ -151,6 +151,7 @@
     F(periodic_create_with_allocator); \
     F(periodic_destroy);               \
     F(periodic_clear);                 \
+    F(periodic_set_vectors);           \
     F(periodic_set_option);            \
     F(periodic_get_option);            \
     F(periodic_set_merge_distance);    \

@@ -58,7 +58,7 @@ enum {
      *  tetrahedra together. */
     MGDT_PERIODIC_STAT_TETRAHEDRA = 102,
     MGDT_PERIODIC_STAT_EDGES = 103,        /**< Classes of edges. */
-    MGDT_PERIODIC_STAT_DIMENSIONS = 104,   /**< The number of vectors. */
+    MGDT_PERIODIC_STAT_DIMENSIONS = 104,   /**< The number of vectors; 0 before they are set. */
     MGDT_PERIODIC_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
     /** Images that were triangulated with the points. May be 0 in later versions. */
     MGDT_PERIODIC_STAT_IMAGES = 120,
@@ -107,24 +107,18 @@ enum {
 
 /* ------------------------------------------------------------------------------- life --- */
 
-/** Makes a box without points.
- *  @param dimensions  the number of vectors, 1 to 3
- *  @param vectors     3 coordinates of each. Neither their order nor their handedness matters
- *  @param[out] out    the handle; NULL if the call fails
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (dimensions, or vectors that
- *  do not span: they are on a line or in a plane, or so oblique that a basis of short vectors has
- *  multiples above 2^31), MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
+/** Makes a box without vectors and without points.
+ *  @param[out] out  the handle; NULL if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
-MGDT_API mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vectors,
-                                          mgdt_periodic** out);
+MGDT_API mgdt_status mgdt_periodic_create(mgdt_periodic** out);
 
 /** Makes a box that takes all its memory from `alloc`.
  *  @param alloc, release, user  as for mgdt_create_with_allocator()
  *  @return as mgdt_periodic_create(), and MGDT_ERR_INVALID_ARGUMENT (one function without the
  *  other)
  *  @since 1.3 */
-MGDT_API mgdt_status mgdt_periodic_create_with_allocator(int32_t dimensions, const double* vectors,
-                                                         mgdt_alloc_fn alloc, mgdt_free_fn release,
+MGDT_API mgdt_status mgdt_periodic_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
                                                          void* user, mgdt_periodic** out);
 
 /** Frees the box. NULL is allowed. While another call is running on the handle, this function does
@@ -139,6 +133,19 @@ MGDT_API void mgdt_periodic_destroy(mgdt_periodic* p);
 MGDT_API mgdt_status mgdt_periodic_clear(mgdt_periodic* p);
 
 /* --------------------------------------------------------------------------- settings --- */
+
+/** Sets the vectors of the box, in place of earlier ones. The triangulation is removed, and the
+ *  points stay where they are. The next mgdt_periodic_build() starts with the images that the last
+ *  one needed, so that a box that changes a little at every step, as under constant pressure, is
+ *  triangulated as soon as points that move. A call that fails changes nothing.
+ *  @param dimensions  the number of vectors, 1 to 3
+ *  @param vectors     3 coordinates of each. Neither their order nor their handedness matters
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (dimensions, or vectors that
+ *  do not span: they are on a line or in a plane, or so oblique that a basis of short vectors has
+ *  multiples above 2^31), MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_periodic_set_vectors(mgdt_periodic* p, int32_t dimensions,
+                                               const double* vectors);
 
 /** Sets an option.
  *  @param option  an MGDT_PERIODIC_OPTION_ value
@@ -205,7 +212,7 @@ MGDT_API mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, co
  *  @param points  n points; may be NULL, then all points are moved, and n is their number
  *  @param xyz     3 n coordinates: where they are now
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n, or a point that does not
- *  exist; the message names it), MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
+ *  exist or is given twice; the message names it), MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_move_points(mgdt_periodic* p, int64_t n, const int64_t* points,
                                                const double* xyz);
@@ -218,10 +225,10 @@ MGDT_API mgdt_status mgdt_periodic_move_points_i32(mgdt_periodic* p, int64_t n,
 
 /** Triangulates the points, in place of an earlier triangulation.
  *  @return MGDT_OK or MGDT_ERR_NULL_POINTER. After any other status there is no triangulation:
- *  MGDT_ERR_INVALID_ARGUMENT (a point is more than 2^29 boxes away, or, from a slab or a wire, more
- *  than 2^38 times the least distance of its images; or the vectors do not span after rounding, or
- *  are so small or so large that the rounded coordinates are no doubles; the message says which),
- *  MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  MGDT_ERR_INVALID_ARGUMENT (the box has no vectors; a point is more than 2^29 boxes away, or,
+ *  from a slab or a wire, more than 2^38 times the least distance of its images; or the vectors do
+ *  not span after rounding, or are so small or so large that the rounded coordinates are no
+ *  doubles; the message says which), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_build(mgdt_periodic* p);
 

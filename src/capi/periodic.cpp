@@ -16,6 +16,18 @@ long long shown(const Periodic& p, std::uint64_t number) {
     return static_cast<long long>(number) + p.settings().index_base;
 }
 
+void set_vectors(Periodic& p, std::int32_t dimensions, const double* vectors) {
+    if (dimensions < 1 || dimensions > 3)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "a box has one to three vectors, not %d",
+             static_cast<int>(dimensions));
+    require_pointer(vectors, "vectors");
+    for (std::int32_t i = 0; i < 3 * dimensions; ++i)
+        if (!std::isfinite(vectors[i]))
+            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of vector %d of the box is not finite",
+                 "xyz"[i % 3], static_cast<int>(i / 3 + p.settings().index_base));
+    p.set_vectors(static_cast<unsigned>(dimensions), vectors);
+}
+
 void insert(Periodic& p, std::int64_t n, const double* xyz) {
     const std::size_t count = require_count(n);
     if (count > 0) require_pointer(xyz, "xyz");
@@ -23,6 +35,18 @@ void insert(Periodic& p, std::int64_t n, const double* xyz) {
     for (std::size_t i = 0; i < 3 * count; ++i)
         require_finite(xyz[i], i % 3, shown(p, p.point_count() + i / 3));
     p.insert(count, xyz);
+}
+
+void require_each_once(const Buffer<std::uint32_t>& points, std::int64_t base,
+                       Allocator& allocator) {
+    Buffer<std::uint32_t> sorted(allocator);
+    sorted.resize(points.size());
+    std::copy(points.begin(), points.end(), sorted.begin());
+    std::sort(sorted.begin(), sorted.end());
+    const std::uint32_t* const twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is to be moved twice",
+             static_cast<long long>(*twice + base));
 }
 
 template <class Int>
@@ -43,29 +67,20 @@ void move(Periodic& p, std::int64_t n, const Int* points, const double* xyz) {
         numbers[i] = static_cast<std::uint32_t>(index - base);
         for (std::size_t c = 0; c < 3; ++c) require_finite(xyz[3 * i + c], c, index);
     }
+    if (points) require_each_once(numbers, base, p.allocator());
     p.move(count, numbers.begin(), xyz);
 }
 
 }  // namespace
 
-extern "C" mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vectors,
-                                            mgdt_periodic** out) {
-    return mgdt_periodic_create_with_allocator(dimensions, vectors, nullptr, nullptr, nullptr, out);
+extern "C" mgdt_status mgdt_periodic_create(mgdt_periodic** out) {
+    return create_handle(out, nullptr, nullptr, nullptr);
 }
 
-extern "C" mgdt_status mgdt_periodic_create_with_allocator(int32_t dimensions,
-                                                           const double* vectors,
-                                                           mgdt_alloc_fn alloc,
+extern "C" mgdt_status mgdt_periodic_create_with_allocator(mgdt_alloc_fn alloc,
                                                            mgdt_free_fn release, void* user,
                                                            mgdt_periodic** out) {
-    if (!out) return MGDT_ERR_NULL_POINTER;
-    *out = nullptr;
-    if (!vectors) return MGDT_ERR_NULL_POINTER;
-    if (dimensions < 1 || dimensions > 3) return MGDT_ERR_INVALID_ARGUMENT;
-    const auto count = static_cast<unsigned>(dimensions);
-    if (!std::all_of(vectors, vectors + 3 * count, [](double x) { return std::isfinite(x); }))
-        return MGDT_ERR_NOT_FINITE;
-    return create_handle(out, alloc, release, user, count, vectors);
+    return create_handle(out, alloc, release, user);
 }
 
 extern "C" void mgdt_periodic_destroy(mgdt_periodic* p) {
@@ -74,6 +89,11 @@ extern "C" void mgdt_periodic_destroy(mgdt_periodic* p) {
 
 extern "C" mgdt_status mgdt_periodic_clear(mgdt_periodic* p) {
     return guard(p, [&] { p->object.clear(); });
+}
+
+extern "C" mgdt_status mgdt_periodic_set_vectors(mgdt_periodic* p, int32_t dimensions,
+                                                 const double* vectors) {
+    return guard(p, [&] { set_vectors(p->object, dimensions, vectors); });
 }
 
 extern "C" mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, int64_t value) {

@@ -83,9 +83,7 @@ Periodic make_periodic(const PeriodicOptions& options, const TriangulationOption
     } catch (const mgdt::Error& e) {
         const bool is_bad =
             e.status() == MGDT_ERR_INVALID_ARGUMENT || e.status() == MGDT_ERR_NOT_FINITE;
-        throw Error(is_bad ? exit_input : exit_internal,
-                    is_bad ? fmt::format("{}: the vectors of the box do not span, or hardly", name)
-                           : fmt::format("{}: {}", name, e.what()));
+        throw Error(is_bad ? exit_input : exit_internal, fmt::format("{}: {}", name, e.what()));
     }
     Progress progress("triangulating", settings.quiet);
     try {

@@ -235,4 +235,28 @@ std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of
     return of_callers;
 }
 
+std::array<std::int64_t, 3> BoxLattice::multiples_of_basis(
+    const std::array<std::int64_t, 3>& of_callers) const {
+    // The determinant of the transformation is 1 or -1, so that its inverse is the determinant
+    // times the adjugate, in integers modulo 2^64 too.
+    std::uint64_t t[3][3] = {};
+    for (unsigned k = 0; k < 3; ++k)
+        for (unsigned j = 0; j < 3; ++j)
+            t[k][j] = k < dimensions_ ? static_cast<std::uint64_t>(transform_[k][j]) : k == j;
+    const auto cofactor = [&](unsigned k, unsigned j) {
+        const unsigned k1 = (k + 1) % 3, k2 = (k + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        return t[k1][j1] * t[k2][j2] - t[k1][j2] * t[k2][j1];
+    };
+    std::uint64_t determinant = 0;
+    for (unsigned j = 0; j < 3; ++j) determinant += t[0][j] * cofactor(0, j);
+    std::array<std::int64_t, 3> of_basis;
+    for (unsigned k = 0; k < 3; ++k) {
+        std::uint64_t sum = 0;
+        for (unsigned j = 0; j < 3; ++j)
+            sum += cofactor(k, j) * static_cast<std::uint64_t>(of_callers[j]);
+        of_basis[k] = static_cast<std::int64_t>(determinant * sum);
+    }
+    return of_basis;
+}
+
 }  // namespace mgdt

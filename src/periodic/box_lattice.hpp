@@ -61,6 +61,9 @@ class BoxLattice {
     // Converts multiples of the basis, of which none exceeds 2^30 by much, to multiples of the
     // caller's vectors.
     std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
+    // The converse, modulo 2^64.
+    std::array<std::int64_t, 3> multiples_of_basis(
+        const std::array<std::int64_t, 3>& of_callers) const;
 
     // The caller's vector k, of rounded_to() after rounding.
     const double* callers_vector(unsigned k) const { return given_[k]; }

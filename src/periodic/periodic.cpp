@@ -8,21 +8,25 @@
 
 namespace mgdt {
 
-Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
-                   mgdt_free_fn release, void* user)
+Periodic::Periodic(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
     : allocator_(alloc, release, user),
-      lattice_(dimensions, vectors),
       given_(allocator_),
       taken_(allocator_),
-      used_images_(allocator_),
-      former_taken_(allocator_),
+      needed_images_(allocator_),
       halo_(allocator_) {}
+
+void Periodic::set_vectors(unsigned dimensions, const double* vectors) {
+    const BoxLattice lattice(dimensions, vectors);
+    if (has_triangulation_) remember_images();
+    if (dimensions != this->dimensions()) needed_images_.reset();
+    forget_results();
+    lattice_.emplace(lattice);
+}
 
 void Periodic::clear() noexcept {
     stop_.forget();
     given_.reset();
-    used_images_.reset();
-    former_taken_.reset();
+    needed_images_.reset();
     forget_results();
 }
 
@@ -66,26 +70,32 @@ void Periodic::move(std::size_t n, const std::uint32_t* points, const double* xy
 void Periodic::remember_images() {
     Buffer<Halo::UsedImage> used(allocator_);
     halo_.list_used_images(used);
-    used_images_ = std::move(used);
-    former_taken_ = std::move(taken_);
+    Buffer<NeededImage> needed(allocator_);
+    needed.grow(used.size());
+    for (const Halo::UsedImage& u : used)
+        needed.push_back({u.by, u.image.point, shift_from(u.by, u.image)});
+    needed_images_ = std::move(needed);
 }
 
 // The images that are now where those of the last triangulation were.
 void Periodic::find_expected_images(Buffer<Image>& expected) const {
-    constexpr std::int32_t most = 4;
-    // Points may have moved so far that 32 bits do not hold the difference of their multiples.
-    const auto more = [&](std::uint32_t point, unsigned c) {
-        return std::int64_t{taken_[point][c]} - former_taken_[point][c];
-    };
-    for (const Halo::UsedImage& used : used_images_) {
+    constexpr std::int64_t most = 4;
+    for (const NeededImage& needed : needed_images_) {
+        const std::array<std::int64_t, 3> of_basis =
+            grid_->lattice().multiples_of_basis(needed.shift);
         Multiples k = {};
         bool is_near = true;
         for (unsigned c = 0; c < 3 && is_near; ++c) {
-            const std::int64_t of = used.image.of[c] + more(used.image.point, c) - more(used.by, c);
+            // Multiples of points fit 32 bits. What the new basis makes of shifts may not be small,
+            // so the sum is taken modulo 2^64; a wrong image is as good as any.
+            const auto of = static_cast<std::int64_t>(
+                static_cast<std::uint64_t>(of_basis[c]) +
+                static_cast<std::uint64_t>(std::int64_t{taken_[needed.point][c]} -
+                                           taken_[needed.by][c]));
             is_near = of >= -most && of <= most;
             if (is_near) k[c] = static_cast<std::int32_t>(of);
         }
-        if (is_near && k != Multiples{}) expected.push_back(image_of(used.image.point, k));
+        if (is_near && k != Multiples{}) expected.push_back(image_of(needed.point, k));
     }
 }
 
@@ -96,14 +106,14 @@ void Periodic::wrap(Buffer<double>& wrapped) {
         return static_cast<unsigned long long>(i) +
                static_cast<unsigned long long>(settings_.index_base);
     };
-    PointReach reach(lattice_);
+    PointReach reach(*lattice_);
     for (std::size_t i = 0; i < n; ++i)
         if (!reach.add(given_.begin() + 3 * i))
             fail(MGDT_ERR_INVALID_ARGUMENT,
                  "point %llu is too far from the box in a direction without periods: by more than "
                  "%.0f times the least distance of images",
                  number(i), BoxLattice::largest_ratio);
-    grid_.emplace(lattice_, reach);
+    grid_.emplace(*lattice_, reach);
     wrapped.resize(3 * n);
     taken_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -111,13 +121,16 @@ void Periodic::wrap(Buffer<double>& wrapped) {
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
                  number(i), ImageGrid::farthest);
     if (settings_.merge_distance > 0)
-        merge_points(*grid_, lattice_.from_callers(settings_.merge_distance), wrapped, taken_,
+        merge_points(*grid_, lattice_->from_callers(settings_.merge_distance), wrapped, taken_,
                      allocator_);
     has_one_wrap_ = std::all_of(taken_.begin(), taken_.end(),
                                 [&](const Multiples& taken) { return taken == taken_[0]; });
 }
 
 void Periodic::build() {
+    if (!lattice_)
+        fail(MGDT_ERR_INVALID_ARGUMENT,
+             "the box has no vectors; mgdt_periodic_set_vectors() sets them");
     const StopFlag::Call call(stop_);
     StageProgress progress(settings_, stop_);
     forget_results();
@@ -135,8 +148,7 @@ void Periodic::build() {
         forget_results();
         throw;
     }
-    used_images_.reset();
-    former_taken_.reset();
+    needed_images_.reset();
     has_triangulation_ = true;
     progress.finish();
 }
@@ -147,12 +159,12 @@ void Periodic::place_of(std::uint32_t point, double* x) const {
 
 void Periodic::rounded(std::uint32_t point, double* x) const {
     place_of(point, x);
-    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(x[c]);
+    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_->to_callers(x[c]);
 }
 
 void Periodic::rounded_vector(std::uint32_t k, double* x) const {
     const double* const vector = grid_->lattice().callers_vector(k);
-    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_.to_callers(vector[c]);
+    for (unsigned c = 0; c < 3; ++c) x[c] = lattice_->to_callers(vector[c]);
 }
 
 std::size_t Periodic::vertex_count() const {

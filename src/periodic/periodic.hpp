@@ -18,10 +18,12 @@ struct PeriodicSettings : CallSettings {
 
 class Periodic {
   public:
-    // Throws MGDT_ERR_INVALID_ARGUMENT for vectors that do not span.
-    Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc, mgdt_free_fn release,
-             void* user);
+    Periodic(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
 
+    // One to three vectors, three finite coordinates each. Removes the triangulation; the next
+    // build starts with the images that it needed, if the number of vectors stays. Throws
+    // MGDT_ERR_INVALID_ARGUMENT, with nothing changed, for vectors that do not span.
+    void set_vectors(unsigned dimensions, const double* vectors);
     // Throws an Error if n more points are more than can be numbered.
     void require_room(std::size_t n) const;
     // The coordinates are finite. Every change removes the triangulation.
@@ -29,8 +31,8 @@ class Periodic {
     // Moves points, with indices from 0, to n places. The next build starts with the images that
     // the last triangulation needed. Throws with nothing changed.
     void move(std::size_t n, const std::uint32_t* points, const double* xyz);
-    // Throws MGDT_ERR_INVALID_ARGUMENT for a point too far from the box, Error and std::bad_alloc;
-    // there is no triangulation then.
+    // Throws MGDT_ERR_INVALID_ARGUMENT without vectors or for a point too far from the box, Error
+    // and std::bad_alloc; there is no triangulation then.
     void build();
     // Removes the points and the triangulation.
     void clear() noexcept;
@@ -39,13 +41,14 @@ class Periodic {
     Allocator& allocator() const noexcept { return allocator_; }
     PeriodicSettings& settings() noexcept { return settings_; }
     const PeriodicSettings& settings() const noexcept { return settings_; }
-    unsigned dimensions() const noexcept { return lattice_.dimensions(); }
+    // The number of vectors; 0 before they are set.
+    unsigned dimensions() const noexcept { return lattice_ ? lattice_->dimensions() : 0; }
     // The unit of the lattice is 2^exponent() units of the caller.
-    int exponent() const noexcept { return lattice_.exponent(); }
+    int exponent() const noexcept { return lattice_->exponent(); }
     // Converts a length in the unit of the lattice to that of the caller, or, with 2 or 3 powers,
     // an area or a volume.
     double to_callers(double x, unsigned powers = 1) const noexcept {
-        for (unsigned i = 0; i < powers; ++i) x = lattice_.to_callers(x);
+        for (unsigned i = 0; i < powers; ++i) x = lattice_->to_callers(x);
         return x;
     }
     std::size_t point_count() const noexcept { return given_.size() / 3; }
@@ -90,12 +93,16 @@ class Periodic {
 
     mutable Allocator allocator_;
     PeriodicSettings settings_;
-    const BoxLattice lattice_;
+    std::optional<BoxLattice> lattice_;
     Buffer<double> given_;
     Buffer<Multiples> taken_;  // the multiples by which each point was moved into the box
-    // The images that the last triangulation needed, and the multiples of its points.
-    Buffer<Halo::UsedImage> used_images_;
-    Buffer<Multiples> former_taken_;
+    // An image that the last triangulation needed, seen from the point that needed it: how often
+    // each of the caller's vectors is added, where the caller had put both points.
+    struct NeededImage {
+        std::uint32_t by, point;
+        std::array<std::int64_t, 3> shift;
+    };
+    Buffer<NeededImage> needed_images_;
     std::optional<ImageGrid> grid_;
     Halo halo_;
     mutable Cached<PeriodicTetrahedra> tetrahedra_{allocator_};

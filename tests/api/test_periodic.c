@@ -89,13 +89,19 @@ static double* doubles(const mgdt_periodic* p, int32_t array) {
     return all;
 }
 
+/* A box of these vectors, without points. */
+static mgdt_status new_box(int32_t dimensions, const double* vectors, mgdt_periodic** out) {
+    mgdt_status s = mgdt_periodic_create(out);
+    return s == MGDT_OK ? mgdt_periodic_set_vectors(*out, dimensions, vectors) : s;
+}
+
 /* A box with n random points, some of them outside, that has been built. */
 static mgdt_periodic* make_periodic(int32_t dimensions, const double* vectors, int64_t n) {
     mgdt_periodic* p = NULL;
     double* const xyz = random_points(n, 0, 5);
     int64_t i;
     for (i = 0; i < 3 * n; ++i) xyz[i] = 4 * xyz[i] - 1;
-    CHECK_EQUAL(mgdt_periodic_create(dimensions, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(new_box(dimensions, vectors, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, n, xyz), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
     free(xyz);
@@ -219,7 +225,7 @@ static void cells(void) {
     mgdt_voronoi* v = NULL;
     double measure[3], normals[36], distances[12], areas[12];
     int64_t images[36], sides[24], faces[12], neighbors[12], of_cells[36], size = 0, i;
-    CHECK_EQUAL(mgdt_periodic_create(3, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(new_box(3, vectors, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, at), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 1, measure), MGDT_OK);
@@ -300,7 +306,7 @@ static void close_packing(void) {
     points[3] = 0.5;
     points[4] = half / 3;
     points[5] = height / 2;
-    CHECK_EQUAL(mgdt_periodic_create(3, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(new_box(3, vectors, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 2, points), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 2, volumes), MGDT_OK);
@@ -324,7 +330,7 @@ static void equal_and_moved_points(void) {
     double nan = 0, x[9];
     mgdt_periodic* p = NULL;
     int64_t *map, *shifts;
-    CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
+    CHECK_EQUAL(new_box(3, cube, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_INDEX_BASE, 1), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 3, xyz), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
@@ -357,6 +363,67 @@ static void equal_and_moved_points(void) {
     mgdt_periodic_destroy(p);
 }
 
+/* A box that changes at every step, and keeps its points: the result is that of a new one. */
+static void other_vectors(void) {
+    double vectors[9] = {4, 0, 0, 1.5, 3, 0, -0.75, 0.5, 2.5};
+    mgdt_periodic *const p = make_periodic(3, vectors, 100), *fresh = NULL;
+    double* const at = malloc(300 * sizeof *at);
+    int step;
+    CHECK_EQUAL(mgdt_periodic_get_doubles(p, MGDT_PERIODIC_ARRAY_POINTS, 300, at), MGDT_OK);
+    for (step = 0; step < 6; ++step) {
+        const int32_t dimensions = step == 4 ? 2 : 3;
+        int32_t key;
+        int64_t k;
+        /* Small steps, then a basis of the same lattice that is longer, and fewer vectors. */
+        for (k = 0; k < 3; ++k) {
+            if (step < 3) vectors[4 * k] *= 1.01;
+            if (step == 3) vectors[6 + k] += 3 * vectors[k] - 2 * vectors[3 + k];
+        }
+        CHECK_EQUAL(mgdt_periodic_set_vectors(p, dimensions, vectors), MGDT_OK);
+        CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_TETRAHEDRA), 0);
+        CHECK_EQUAL(mgdt_periodic_get_size(p, MGDT_PERIODIC_ARRAY_TETRAHEDRA, &k),
+                    MGDT_ERR_NOT_BUILT);
+        CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+        CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
+        CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_DIMENSIONS), dimensions);
+        CHECK_EQUAL(new_box(dimensions, vectors, &fresh), MGDT_OK);
+        CHECK_EQUAL(mgdt_periodic_insert_points(fresh, 100, at), MGDT_OK);
+        CHECK_EQUAL(mgdt_periodic_build(fresh), MGDT_OK);
+        for (key = MGDT_PERIODIC_ARRAY_POINT_MAP; key <= MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_SHIFTS;
+             ++key) {
+            int64_t n = 0, *ours, *theirs;
+            if (mgdt_periodic_get_size(fresh, key, &n) != MGDT_OK) continue;
+            ours = integers(p, key);
+            theirs = integers(fresh, key);
+            CHECK_EQUAL(size_of(p, key), n);
+            CHECK(memcmp(ours, theirs, (size_t)n * sizeof *ours) == 0);
+            free(ours);
+            free(theirs);
+        }
+        mgdt_periodic_destroy(fresh);
+    }
+    free(at);
+    mgdt_periodic_destroy(p);
+}
+
+typedef struct {
+    int64_t calls, fails_at, blocks;
+} failing;
+
+static void* allocate(size_t bytes, size_t align, void* user) {
+    failing* const f = user;
+    void* const p = ++f->calls == f->fails_at ? NULL : allocate_aligned(bytes, align);
+    if (p != NULL) ++f->blocks;
+    return p;
+}
+
+static void release(void* p, size_t bytes, size_t align, void* user) {
+    (void)bytes;
+    (void)align;
+    --((failing*)user)->blocks;
+    free_aligned(p);
+}
+
 static void bad_arguments(void) {
     int32_t found, key;
     const double flat[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, zero[3] = {0, 0, 0};
@@ -367,17 +434,33 @@ static void bad_arguments(void) {
     double distance = 0;
     int32_t small;
     char text[8];
-    CHECK_EQUAL(mgdt_periodic_create(3, cube, NULL), MGDT_ERR_NULL_POINTER);
-    CHECK_EQUAL(mgdt_periodic_create(3, NULL, &p), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_create(NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_create_with_allocator(allocate, NULL, NULL, &p),
+                MGDT_ERR_INVALID_ARGUMENT);
     CHECK(p == NULL);
-    CHECK_EQUAL(mgdt_periodic_create(0, cube, &p), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_periodic_create(4, cube, &p), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_periodic_create(3, flat, &p), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_periodic_create(1, zero, &p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_create(&p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_DIMENSIONS), 0);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "the box has no vectors"));
+    CHECK_EQUAL(mgdt_periodic_set_vectors(NULL, 3, cube), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 3, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK(says(p, "vectors"));
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 0, cube), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 4, cube), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "one to three vectors, not 4"));
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 3, flat), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "in a plane"));
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 1, zero), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "no length"));
     bad[0] /= bad[0];
-    CHECK_EQUAL(mgdt_periodic_create(1, bad, &p), MGDT_ERR_NOT_FINITE);
-    CHECK(p == NULL);
-    CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 1, bad), MGDT_ERR_NOT_FINITE);
+    CHECK(says(p, "coordinate x of vector 0"));
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 3, cube), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_vectors(p, 3, flat), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_STAT_DIMENSIONS), 3);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_clear(p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, -1, cube), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, (int64_t)1 << 62, cube), MGDT_ERR_TOO_LARGE);
@@ -450,7 +533,7 @@ static void bad_arguments(void) {
     mgdt_periodic_destroy(p);
     mgdt_periodic_destroy(NULL);
     /* A slab with one point has no cells. */
-    CHECK_EQUAL(mgdt_periodic_create(2, cube, &p), MGDT_OK);
+    CHECK_EQUAL(new_box(2, cube, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
@@ -459,24 +542,6 @@ static void bad_arguments(void) {
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK(says(p, "the points do not span space"));
     mgdt_periodic_destroy(p);
-}
-
-typedef struct {
-    int64_t calls, fails_at, blocks;
-} failing;
-
-static void* allocate(size_t bytes, size_t align, void* user) {
-    failing* const f = user;
-    void* const p = ++f->calls == f->fails_at ? NULL : allocate_aligned(bytes, align);
-    if (p != NULL) ++f->blocks;
-    return p;
-}
-
-static void release(void* p, size_t bytes, size_t align, void* user) {
-    (void)bytes;
-    (void)align;
-    --((failing*)user)->blocks;
-    free_aligned(p);
 }
 
 static void refused_memory(void) {
@@ -489,8 +554,8 @@ static void refused_memory(void) {
         mgdt_voronoi* v = NULL;
         double volumes[40];
         int64_t size;
-        mgdt_status status =
-            mgdt_periodic_create_with_allocator(3, cube, allocate, release, &f, &p);
+        mgdt_status status = mgdt_periodic_create_with_allocator(allocate, release, &f, &p);
+        if (status == MGDT_OK) status = mgdt_periodic_set_vectors(p, 3, cube);
         if (status == MGDT_OK) status = mgdt_periodic_insert_points(p, 40, xyz);
         if (status == MGDT_OK) status = mgdt_periodic_build(p);
         if (status == MGDT_OK) status = mgdt_periodic_check(p);
@@ -603,6 +668,7 @@ void test_periodic(void) {
     cells();
     close_packing();
     equal_and_moved_points();
+    other_vectors();
     bad_arguments();
     refused_memory();
     memory_limit();

@@ -121,7 +121,8 @@ void triangulate_in_box(const Points& xyz, int threads, InBox& result) {
     const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     mgdt_periodic* p = nullptr;
     result.build.push_back(bench::seconds([&] {
-        require(mgdt_periodic_create(3, cube, &p), "mgdt_periodic_create");
+        require(mgdt_periodic_create(&p), "mgdt_periodic_create");
+        require(mgdt_periodic_set_vectors(p, 3, cube), "mgdt_periodic_set_vectors");
         require(mgdt_periodic_set_option(p, MGDT_PERIODIC_OPTION_THREADS, threads), "threads");
         require(
             mgdt_periodic_insert_points(p, static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),

@@ -176,7 +176,7 @@ class Periodic(CliTest):
         into = ("-o", "t.vtu")
         for box in ("1 1", "1 1 1 1", "1 1 x", "auto", "1 0 0 0 1 0 0 0 1 1"):
             self.fails(2, "triangulate", "p.xyz", "--box", box, *into, says="nine numbers")
-        self.fails(3, "triangulate", "p.xyz", "--box", "1 1 0", *into, says=["p.xyz", "do not span"])
+        self.fails(3, "triangulate", "p.xyz", "--box", "1 1 0", *into, says=["p.xyz", "in a plane"])
         self.fails(3, "triangulate", "p.xyz", "--box", "file", *into, says=["p.xyz", "no box"])
         for letters in ("w", "xx", "xyzx"):
             self.fails(2, "triangulate", "p.xyz", "--box", "1 1 1", "--periodic", letters, *into, says="some of x, y and z")

@@ -222,6 +222,9 @@ bool calls_periodic() {
     }
     box.cancel();
     box.clear();
+    box.set_vectors(std::vector<mgdt::Point>{{3, 0, 0}});
+    if (box.statistic(mgdt::PeriodicStatistic::dimensions) != 1) return false;
+    if (mgdt::Periodic().statistic(mgdt::PeriodicStatistic::dimensions) != 0) return false;
     mgdt::Periodic other(vectors);
     swap(box, other);
     mgdt::Periodic again(box.release());

@@ -152,18 +152,20 @@ mgdt_status make_diagram(const Create& create) {
 }
 
 Kind box() {
-    static const double vectors[] = {1, 0, 0, 0.25, 1, 0, 0, 0.5, 1};
+    static const double vectors[] = {1, 0, 0, 0.25, 1, 0, 0, 0.5, 1},
+                        other_vectors[] = {1.1, 0, 0, 0.25, 1, 0, 0, 0.5, 1};
     static const Points points = random_points(5, 3), moved = random_points(5, 4);
     const auto p = [](void* h) { return static_cast<mgdt_periodic*>(h); };
     return {
         "periodic box",
         [](void** out) {
-            return mgdt_periodic_create_with_allocator(3, vectors, handle_take, handle_give,
-                                                       nullptr,
+            return mgdt_periodic_create_with_allocator(handle_take, handle_give, nullptr,
                                                        reinterpret_cast<mgdt_periodic**>(out));
         },
         [p](void* h) { mgdt_periodic_destroy(p(h)); },
-        {{"insert_points",
+        {{"set_vectors", [p](void* h) { return mgdt_periodic_set_vectors(p(h), 3, vectors); },
+          false},
+         {"insert_points",
           [p](void* h) {
               std::int64_t n = 0;
               const mgdt_status s = mgdt_periodic_get_stat(p(h), MGDT_PERIODIC_STAT_POINTS, &n);
@@ -175,6 +177,9 @@ Kind box() {
           [p](void* h) { return mgdt_periodic_move_points(p(h), 5, nullptr, moved.data()); },
           false},
          {"build again", [p](void* h) { return mgdt_periodic_build(p(h)); }},
+         {"other vectors",
+          [p](void* h) { return mgdt_periodic_set_vectors(p(h), 3, other_vectors); }, false},
+         {"build with them", [p](void* h) { return mgdt_periodic_build(p(h)); }},
          {"check", [p](void* h) { return mgdt_periodic_check(p(h)); }},
          {"arrays",
           [p](void* h) {

@@ -438,8 +438,10 @@ void periodic_boxes(Meter& meter) {
             mgdt_periodic* p = nullptr;
             meter("mgdt_periodic_create", [&] {
                 mgdt_periodic_destroy(p);
-                return mgdt_periodic_create(dimensions, vectors, &p);
+                return mgdt_periodic_create(&p);
             });
+            meter("mgdt_periodic_set_vectors",
+                  [&] { return mgdt_periodic_set_vectors(p, dimensions, vectors); });
             ASSERT_EQ(mgdt_periodic_insert_points(p, n, xyz.data()), MGDT_OK);
             const mgdt_status built = mgdt_periodic_build(p);
             meter(

@@ -1016,10 +1016,12 @@
       INCLUDE 'mgdt_f77.inc'
       DATA VEC /1, 0, 0, 0.5, 1, 0, 0, 0, 1/
       CALL MKPTS(40, XYZ)
-      CALL MGBNEW(4, VEC, HB, IERR)
-      CALL EXPECT(IERR .EQ. MGEARG, 'four vectors')
-      CALL MGBNEW(3, VEC, HB, IERR)
+      CALL MGBNEW(HB, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGBNEW')
+      CALL MGBSVC(HB, 4, VEC, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'four vectors')
+      CALL MGBSVC(HB, 3, VEC, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBSVC')
       CALL MGBGOP(HB, MGBBAS, I, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. I .EQ. 1, 'MGBGOP')
       CALL MGBMRG(HB, 1D-9, IERR)

@@ -36,7 +36,7 @@ contains
 
         call make_points(xyz)
         call expect(.not. box%is_created() .and. .not. c_associated(box%c_handle()), 'nothing is made yet')
-        call box%create(vectors)
+        call box%set_vectors(vectors)
         call expect(box%is_created() .and. c_associated(box%c_handle()), 'made')
         call box%insert_points(xyz(:, :45))
         call box%insert_points(reshape(xyz(:, 46:), [135]))
@@ -87,7 +87,7 @@ contains
         call box%get(mgdt_periodic_array_vectors, numbers)
         call expect(all(abs(numbers - reshape(vectors, [9])) <= 0), 'vectors')
         ! The same, by images of the points.
-        call again%create(vectors)
+        call again%set_vectors(vectors)
         call again%insert_points(xyz)
         call again%set_option(mgdt_periodic_option_index_base, 1_int64)
         do i = 1, 90
@@ -109,7 +109,7 @@ contains
         call again%clear()
         call again%build()
         call expect(again%statistic(mgdt_periodic_stat_points) == 0, 'cleared')
-        call again%create(vectors(:, :2))
+        call again%set_vectors(vectors(:, :2))
         call expect(again%statistic(mgdt_periodic_stat_dimensions) == 2, 'another box')
         call again%destroy()
         call expect(.not. again%is_created(), 'destroyed')
@@ -137,7 +137,7 @@ contains
 
         call cells%create(box, stat=stat, errmsg=message)
         call expect(stat == mgdt_err_null_pointer, 'no box')
-        call box%create(cube)
+        call box%set_vectors(cube)
         call box%insert_points(atoms)
         call cells%create(box, stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_not_built, message, 'there is no triangulation')
@@ -161,7 +161,7 @@ contains
         integer, allocatable :: neighbors(:, :)
 
         call make_points(xyz)
-        call slab%create(vectors(:, :2))
+        call slab%set_vectors(vectors(:, :2))
         call slab%insert_points(xyz)
         call slab%build()
         call slab%check()
@@ -178,11 +178,11 @@ contains
 
         call box%build(stat=stat, errmsg=message)
         call expect(stat == mgdt_err_null_pointer, 'no box')
-        call box%create(vectors(:2, :), stat=stat, errmsg=message)
+        call box%set_vectors(vectors(:2, :), stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'vectors has the extents 2 and 3')
-        call box%create(vectors*0, stat=stat, errmsg=message)
-        call expect(stat == mgdt_err_invalid_argument, 'no vectors')
-        call box%create(vectors)
+        call box%set_vectors(vectors*0, stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'in a plane')
+        call box%set_vectors(vectors)
         rows = 0
         call box%insert_points([1.0_real64, 2.0_real64], stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'xyz has 2 elements')

@@ -2,6 +2,7 @@
 // Calls of the interface of periodic boxes in any order, with any vectors and points: what is built
 // passes the check, has the numbers of a torus, fills the box with cells, and does not depend on
 // the calls before; and what fails says so.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@ class Session {
     ~Session() { mgdt_periodic_destroy(p_); }
 
     void run() {
-        if (!create()) return;
+        FUZZ_REQUIRE(mgdt_periodic_create(&p_) == MGDT_OK, "create");
+        if (!set_vectors()) return;
         source_.choose_sphere(in_.below(4));
         for (int calls = 0; calls < 24 && !in_.empty(); ++calls) switch (in_.below(9)) {
                 case 0:
@@ -59,6 +61,9 @@ class Session {
                     move();
                     break;
                 case 5:
+                    set_vectors();
+                    break;
+                case 6:
                     mgdt_periodic_cancel(p_);
                     FUZZ_REQUIRE(mgdt_periodic_build(p_) != MGDT_OK, "cancelled");
                     break;
@@ -70,7 +75,7 @@ class Session {
 
   private:
     // Vectors of few bits, so that boxes are cubes, oblique, flat or none; or any.
-    bool create() {
+    void draw_vectors() {
         dimensions_ = static_cast<std::int32_t>(in_.below(5));
         const unsigned kind = in_.below(4);
         static constexpr double scales[8] = {1, 1, 0.1, 3, 1e-3, 0x1p-600, 0x1p600, 1e5};
@@ -84,12 +89,20 @@ class Session {
             if (kind == 3) vectors_[i] = PointSource().draw(in_, b % PointSource::kinds, {})[0];
             vectors_[i] *= scale;
         }
-        const mgdt_status status = mgdt_periodic_create(dimensions_, vectors_.data(), &p_);
-        FUZZ_REQUIRE((status == MGDT_OK) == (p_ != nullptr), "create");
+    }
+    // Sets the vectors, or others, and keeps the former ones if they are refused.
+    bool set_vectors() {
+        const std::vector<double> before = vectors_;
+        const std::int32_t dimensions = dimensions_;
+        draw_vectors();
+        const mgdt_status status = mgdt_periodic_set_vectors(p_, dimensions_, vectors_.data());
         FUZZ_REQUIRE(status == MGDT_OK || status == MGDT_ERR_INVALID_ARGUMENT ||
                          status == MGDT_ERR_NOT_FINITE,
-                     "create");
-        return p_ != nullptr;
+                     message_of(p_));
+        if (status == MGDT_OK) return true;
+        vectors_ = before;
+        dimensions_ = dimensions;
+        return false;
     }
     std::vector<double> draw(unsigned n, std::vector<Point>& points, bool& is_finite) {
         const unsigned kind = in_.below(PointSource::kinds);
@@ -131,9 +144,15 @@ class Session {
         std::vector<std::int64_t> which;
         for (unsigned i = 0; i < n; ++i)
             which.push_back(static_cast<std::int64_t>(in_.byte() % points_.size()) + base_);
+        std::vector<std::int64_t> sorted = which;
+        std::sort(sorted.begin(), sorted.end());
+        const bool is_twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
         const mgdt_status status = mgdt_periodic_move_points(p_, n, which.data(), xyz.data());
-        FUZZ_REQUIRE(status == (is_finite ? MGDT_OK : MGDT_ERR_NOT_FINITE), "move");
-        if (!is_finite) return;
+        FUZZ_REQUIRE(status == (!is_finite ? MGDT_ERR_NOT_FINITE
+                                : is_twice ? MGDT_ERR_INVALID_ARGUMENT
+                                           : MGDT_OK),
+                     "move");
+        if (status != MGDT_OK) return;
         for (unsigned i = 0; i < n; ++i)
             points_[static_cast<std::size_t>(which[i] - base_)] = {xyz[3 * i], xyz[3 * i + 1],
                                                                    xyz[3 * i + 2]};
@@ -142,8 +161,9 @@ class Session {
         const mgdt_status status = mgdt_periodic_build(p_);
         FUZZ_REQUIRE(status == MGDT_OK || status == MGDT_ERR_INVALID_ARGUMENT, message_of(p_));
         mgdt_periodic* other = nullptr;
-        FUZZ_REQUIRE(mgdt_periodic_create(dimensions_, vectors_.data(), &other) == MGDT_OK,
-                     "create");
+        FUZZ_REQUIRE(mgdt_periodic_create(&other) == MGDT_OK, "create");
+        FUZZ_REQUIRE(mgdt_periodic_set_vectors(other, dimensions_, vectors_.data()) == MGDT_OK,
+                     "vectors");
         if (in_.flag())
             FUZZ_REQUIRE(
                 mgdt_periodic_set_option(other, MGDT_PERIODIC_OPTION_THREADS, 2) == MGDT_OK,

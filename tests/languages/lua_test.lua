@@ -640,6 +640,10 @@ test("a periodic box", function()
     assert(box:voronoi(0.5).face_count < cells.face_count)
     box:move(xyz)
     compare(box)
+    box:move(xyz, nil, { { 4, 0, 0 }, { 1.5, 3, 0 } })
+    equal(box.vector_count, 2, "other vectors")
+    box:move(xyz, nil, box_vectors)
+    compare(box)
 
     local cube = mgdt.periodic_box { points = { { 0, 0, 0 }, { 1, 1, 1 } }, box = { 2, 2, 2 }, index_base = 1, threads = 2 }
     equal(cube.tetrahedron_count, 12, "tetrahedra")
@@ -650,7 +654,7 @@ test("a periodic box", function()
     local slab = mgdt.periodic_box { points = xyz, box = { { 4, 0, 0 }, { 1.5, 3, 0 } } }
     equal(slab.vector_count, 2, "a slab")
 
-    refused("invalid_argument", { "do not span" }, mgdt.periodic_box, { points = xyz, box = { 1, 1, 0 } })
+    refused("invalid_argument", { "in a plane" }, mgdt.periodic_box, { points = xyz, box = { 1, 1, 0 } })
     refused("invalid_argument", { "box", "4 vectors" }, mgdt.periodic_box, { points = xyz,
         box = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } } })
     refused("invalid_argument", { "no setting pbc" }, mgdt.periodic_box, { points = xyz, box = { 1, 1, 1 }, pbc = 1 })

@@ -204,7 +204,7 @@ function periodic_box (folder)
 
   near = mgdt_periodic_box ([0 0 0; 2 2 1.999; 1 1 1], [2 2 2], "merge_distance", 0.01);
   assert (double (near.point_map(:)'), [1 1 3]);
-  refused ("mgdt:invalid_argument", {"do not span"}, @() mgdt_periodic_box (points, [1 1 0; 2 2 0]));
+  refused ("mgdt:invalid_argument", {"on a line"}, @() mgdt_periodic_box (points, [1 1 0; 2 2 0]));
   refused ("mgdt:invalid_argument", {"more than three"}, @() mgdt_periodic_box (points, [vectors; 1 1 1]));
   refused ("mgdt:invalid_argument", {"point 1", "boxes away"}, @() mgdt_periodic_box ([1e30 0 0], [1 1 1]));
   refused ("mgdt:invalid_argument", {"three columns"}, @() mgdt_periodic_box ([1 2; 3 4], [1 1 1]));

@@ -235,7 +235,8 @@ static void export_periodic(void) {
         xyz[3 * 39 + k] = xyz[k] - vectors[3 + k];
     }
     write_file("periodic_given_points", xyz, 3 * points);
-    if (mgdt_periodic_create(3, vectors, &p) != MGDT_OK ||
+    if (mgdt_periodic_create(&p) != MGDT_OK ||
+        mgdt_periodic_set_vectors(p, 3, vectors) != MGDT_OK ||
         mgdt_periodic_insert_points(p, points, xyz) != MGDT_OK ||
         mgdt_periodic_build(p) != MGDT_OK || mgdt_periodic_check(p) != MGDT_OK)
         stop("the box was not triangulated");

@@ -187,6 +187,8 @@ class MgdtTest < Minitest::Test
     assert_operator box.voronoi(least_area: 0.5).faces.size, :<, cells.faces.size
     assert_same box, box.move(points)
     assert_reference_box(box)
+    assert_equal 2, box.move(points, BOX.first(2)).vectors.size
+    assert_reference_box(box.move(points, BOX))
     one = Mgdt::PeriodicBox.new([[0, 0, 0], [1, 1, 1]], [2, 2, 2], index_base: 1, threads: 2)
     assert_equal [1, 2], one.point_map
     assert_equal [14, 14], one.cell_measures("faces")
@@ -202,7 +204,7 @@ class MgdtTest < Minitest::Test
   def test_what_periodic_boxes_refuse
     points = self.class.bytes("periodic_given_points")
     refused(Mgdt::InvalidArgument, "merge_distance") { Mgdt::PeriodicBox.new(points, BOX, merge_distance: "1") }
-    refused(Mgdt::InvalidArgument, "do not span") { Mgdt::PeriodicBox.new(points, [1, 1, 0]) }
+    refused(Mgdt::InvalidArgument, "in a plane") { Mgdt::PeriodicBox.new(points, [1, 1, 0]) }
     refused(Mgdt::InvalidArgument, "box has 4 vectors") { Mgdt::PeriodicBox.new(points, BOX + BOX.first(1)) }
     refused(Mgdt::InvalidArgument, "point 0") { Mgdt::PeriodicBox.new([[1e30, 0, 0]], [1, 1, 1]) }
     refused(Mgdt::InvalidArgument, "threads") { Mgdt::PeriodicBox.new(points, BOX, threads: 1.5) }

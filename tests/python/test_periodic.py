@@ -115,6 +115,32 @@ class PeriodicDelaunay(unittest.TestCase):
         self.assertFalse((mesh.volumes == before).all())
         self.assertTrue((mesh.volumes == fresh.volumes).all())
 
+    def test_steps_of_the_box(self) -> None:
+        points = random_points(200, OBLIQUE)
+        mesh = mgdt.PeriodicDelaunay(points, OBLIQUE)
+        for k in range(1, 4):
+            box = OBLIQUE * (1 + 0.01 * k)
+            mesh.move(points, box)
+            mesh.check()
+            fresh = mgdt.PeriodicDelaunay(points, box)
+            self.assertTrue((mesh.simplices == fresh.simplices).all())
+            self.assertTrue((mesh.shifts == fresh.shifts).all())
+        self.assertTrue((copy.copy(mesh).simplices == mesh.simplices).all())
+        mesh.move(points, OBLIQUE, [True, True, False])
+        self.assertEqual(mesh.vectors.shape, (2, 3))
+        before = mesh.simplices
+        with self.assertRaisesRegex(ValueError, "199 places"):
+            mesh.move(points[1:], OBLIQUE)
+        with self.assertRaisesRegex(TypeError, "not given"):
+            mesh.move(points, periodic=[True])
+        self.assertTrue((mesh.simplices == before).all())
+        with self.assertRaisesRegex(ValueError, "in a plane"):
+            mesh.move(points, np.ones((3, 3)))
+        points[7, 1] = np.nan
+        with self.assertRaisesRegex(ValueError, "point 7"):
+            mesh.move(points, OBLIQUE)
+        self.assertTrue((mesh.simplices == before).all())
+
     def test_crystals(self) -> None:
         corners = np.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 0, 0.5], [0, 0.5, 0.5]])
         for atoms, faces in (
@@ -152,7 +178,7 @@ class PeriodicDelaunay(unittest.TestCase):
         for box in ([1, 1], np.eye(2), np.ones((4, 3)), 1, np.empty((0, 3))):
             with self.assertRaisesRegex(ValueError, "box must be three lengths"):
                 mgdt.PeriodicDelaunay(point, box)
-        with self.assertRaisesRegex(ValueError, "do not span"):
+        with self.assertRaisesRegex(ValueError, "in a plane"):
             mgdt.PeriodicDelaunay(point, [1, 1, 0])
         with self.assertRaisesRegex(ValueError, "not finite"):
             mgdt.PeriodicDelaunay(point, [1, np.nan, 1])

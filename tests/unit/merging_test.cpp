@@ -13,8 +13,8 @@ namespace {
 
 struct Merged : Periodic {
     Merged(const std::vector<double>& vectors, const std::vector<double>& points, double distance)
-        : Periodic(static_cast<unsigned>(vectors.size() / 3), vectors.data(), nullptr, nullptr,
-                   nullptr) {
+        : Periodic(nullptr, nullptr, nullptr) {
+        set_vectors(static_cast<unsigned>(vectors.size() / 3), vectors.data());
         settings().merge_distance = distance;
         insert(points.size() / 3, points.data());
         build();
@@ -127,7 +127,8 @@ TEST(Merging, NearImages) {
 
 TEST(Merging, RefusesLargeDistances) {
     const std::vector<double> points = random_points(10, oblique, 1);
-    Periodic box(3, oblique.data(), nullptr, nullptr, nullptr);
+    Periodic box(nullptr, nullptr, nullptr);
+    box.set_vectors(3, oblique.data());
     box.insert(10, points.data());
     box.settings().merge_distance = 1;
     try {

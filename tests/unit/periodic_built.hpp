@@ -33,9 +33,8 @@ inline std::vector<double> random_points(std::size_t n, const std::vector<double
 
 struct Built : Periodic {
     Built(const std::vector<double>& vectors, const std::vector<double>& points)
-        : Periodic(static_cast<unsigned>(vectors.size() / 3), vectors.data(), nullptr, nullptr,
-                   nullptr),
-          box(vectors) {
+        : Periodic(nullptr, nullptr, nullptr), box(vectors) {
+        set_vectors(static_cast<unsigned>(vectors.size() / 3), vectors.data());
         insert(points.size() / 3, points.data());
         build();
         StopFlag cancelled;

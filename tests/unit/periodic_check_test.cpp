@@ -33,8 +33,8 @@ std::vector<double> random_points(std::size_t n, unsigned seed, double grid = 0)
 
 struct Built : Periodic {
     Built(const std::vector<double>& vectors, const std::vector<double>& points)
-        : Periodic(static_cast<unsigned>(vectors.size() / 3), vectors.data(), nullptr, nullptr,
-                   nullptr) {
+        : Periodic(nullptr, nullptr, nullptr) {
+        set_vectors(static_cast<unsigned>(vectors.size() / 3), vectors.data());
         insert(points.size() / 3, points.data());
         build();
     }

@@ -52,9 +52,9 @@ std::vector<double> points_in(const Vectors& vectors, std::size_t n, unsigned se
 }
 
 struct Built : Periodic {
-    explicit Built(const Vectors& vectors)
-        : Periodic(static_cast<unsigned>(vectors.size() / 3), vectors.data(), nullptr, nullptr,
-                   nullptr) {}
+    explicit Built(const Vectors& vectors) : Periodic(nullptr, nullptr, nullptr) {
+        set_vectors(static_cast<unsigned>(vectors.size() / 3), vectors.data());
+    }
     Built(const Vectors& vectors, const std::vector<double>& points) : Built(vectors) {
         insert(points.size() / 3, points.data());
         build();
@@ -284,7 +284,8 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
     int refused = 0;
     for (int i = 0;; i += is_smallest() ? 5 : 1) {
         Refusal refusal{1000000};
-        Periodic built(3, cube.data(), Refusal::allocate, Refusal::release, &refusal);
+        Periodic built(Refusal::allocate, Refusal::release, &refusal);
+        built.set_vectors(3, cube.data());
         built.insert(points.size() / 3, points.data());
         refusal.left = i;
         try {
@@ -401,7 +402,8 @@ TEST(Periodic, RefusedAllocationsInAPrediction) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<double> points = thin_sets()[1];
     Refusal refusal{1000000};
-    Periodic built(3, cube.data(), Refusal::allocate, Refusal::release, &refusal);
+    Periodic built(Refusal::allocate, Refusal::release, &refusal);
+    built.set_vectors(3, cube.data());
     built.insert(points.size() / 3, points.data());
     int refused = 0;
     for (int i = 0;; i += 1 + (is_small() ? i : i / 6)) {

@@ -202,12 +202,12 @@ int32_t mgdt_domain_get_array(const mgdt_domain *d, int32_t array, int64_t capac
 int32_t mgdt_domain_get_array_i32(const mgdt_domain *d, int32_t array, int64_t capacity,
                                   int32_t *values);
 int32_t mgdt_domain_get_error(const mgdt_domain *d, int64_t capacity, char *buffer);
-int32_t mgdt_periodic_create(int32_t dimensions, const double *vectors, mgdt_periodic **out);
-int32_t mgdt_periodic_create_with_allocator(int32_t dimensions, const double *vectors,
-                                            mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
+int32_t mgdt_periodic_create(mgdt_periodic **out);
+int32_t mgdt_periodic_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
                                             mgdt_periodic **out);
 void mgdt_periodic_destroy(mgdt_periodic *p);
 int32_t mgdt_periodic_clear(mgdt_periodic *p);
+int32_t mgdt_periodic_set_vectors(mgdt_periodic *p, int32_t dimensions, const double *vectors);
 int32_t mgdt_periodic_set_option(mgdt_periodic *p, int32_t option, int64_t value);
 int32_t mgdt_periodic_get_option(const mgdt_periodic *p, int32_t option, int64_t *value);
 int32_t mgdt_periodic_set_merge_distance(mgdt_periodic *p, double distance);

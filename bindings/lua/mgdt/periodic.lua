@@ -43,9 +43,14 @@ local function read(self)
     self.edge_count = of_box.statistic(handle, "edges")
 end
 
---- Moves all points, given as for insert(), as in a time step. The arrays are read anew.
-function Box:move(points, n)
+--- Moves all points, given as for insert(), as in a time step, and sets other vectors of the box, if
+--- there are any. The arrays are read anew.
+function Box:move(points, n, box)
     local xyz, count = rows_of(points, n, "points", 3, "points")
+    if box ~= nil then
+        local vectors, dimensions = vectors_of(box)
+        ensure(self.handle, C.mgdt_periodic_set_vectors(self.handle, dimensions, vectors))
+    end
     ensure(self.handle, C.mgdt_periodic_move_points(self.handle, count, nil, xyz))
     build(self.handle, self.progress)
     read(self)
@@ -110,10 +115,10 @@ function periodic.periodic_box(given)
     local vectors, dimensions = vectors_of(given.box)
     local xyz, count = rows_of(given.points, nil, "points", 3, "points")
     local out = ffi.new("mgdt_periodic *[1]")
-    local value = C.mgdt_periodic_create(dimensions, vectors, out)
-    if value == status.invalid_argument then raise(value, "the vectors of the box do not span, or hardly") end
+    local value = C.mgdt_periodic_create(out)
     if value ~= 0 then raise(value, ffi.string(C.mgdt_status_string(value))) end
     local handle = ffi.gc(out[0], C.mgdt_periodic_destroy)
+    ensure(handle, C.mgdt_periodic_set_vectors(handle, dimensions, vectors))
     of_box.set_option(handle, "index_base", whole(given.index_base or 0, "index_base"))
     of_box.set_option(handle, "threads", whole(given.threads or 1, "threads"))
     of_box.set_option(handle, "memory_limit", whole(given.memory_limit or 0, "memory_limit"))

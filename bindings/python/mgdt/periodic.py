@@ -11,7 +11,6 @@ from typing import Any, Callable, Optional, Sequence, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _errors
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._diagram import Diagram, cell_areas, lists, taken_diagram
@@ -50,16 +49,11 @@ class _Box(Keyed):
 
     kind = "periodic"
 
-    def __init__(self, vectors: FloatArray) -> None:
-        pointer = c_void_p()
-        status = self._function("create")(len(vectors), address(vectors), ctypes.byref(pointer))
-        if status == _errors.INVALID_ARGUMENT:
-            raise _errors.make(status, f"the vectors of the box do not span, or hardly: {vectors.tolist()}")
-        if status == _errors.NOT_FINITE:
-            raise _errors.make(status, f"a vector of the box is not finite: {vectors.tolist()}")
-        if status != _errors.OK:
-            raise _errors.make(status, "the library made no box: out of memory")
-        super().__init__(pointer)
+    def __init__(self) -> None:
+        super().__init__(self._create())
+
+    def set_vectors(self, vectors: FloatArray) -> None:
+        self.call("set_vectors", len(vectors), address(vectors))
 
     def measures(self, name: str, size: int) -> FloatArray:
         values = np.empty(size)
@@ -146,7 +140,8 @@ class PeriodicDelaunay:
         self._given, self._given_vectors, self._settings = rows, vectors, settings
         self._merge_distance = merge_distance
         self._gate = Gate()
-        handle = self._box = _Box(vectors)
+        handle = self._box = _Box()
+        handle.set_vectors(vectors)
         for name, value in settings.items():
             handle.set_option(name, value)
         handle.call("set_merge_distance", merge_distance)
@@ -232,8 +227,13 @@ class PeriodicDelaunay:
             "neighbor_shifts", lambda: self._box.array("neighbor_shifts").reshape(-1, 4, 3)
         )
 
-    def move(self, points: ArrayLike) -> None:
-        """Moves all points, as in a time step. What was computed before is forgotten. The triangulation
+    def move(
+        self,
+        points: ArrayLike,
+        box: Optional[ArrayLike] = None,
+        periodic: Optional[Sequence[bool]] = None,
+    ) -> None:
+        """Moves all points, as in a time step, and sets other vectors of the box, if there are any. What was computed before is forgotten. The triangulation
         starts with the images that the last one needed. If the call is stopped or fails after the points
         have moved, there is no triangulation until the next one, and attributes raise `NotBuiltError`.
 
@@ -241,9 +241,26 @@ class PeriodicDelaunay:
         ----------
         points : array_like of float, shape (n, 3)
             Where they are now.
+        box, periodic : optional
+            As for the constructor: what the box is now. By default its vectors stay.
         """
         rows = np.array(as_points(points), np.float64, order="C")
-        self._build(rows, lambda: self._box.call("move_points", len(rows), None, address(rows)))
+        if box is None and periodic is not None:
+            raise TypeError("periodic is of a box, which is not given")
+        vectors = None if box is None else _vectors(box, periodic)
+
+        def place() -> None:
+            if len(rows) != len(self._given):
+                raise ValueError(f"{len(rows)} places are given for all points, which are {len(self._given)}")
+            if vectors is not None:
+                bad = np.flatnonzero(~np.isfinite(rows).all(axis=1))
+                if len(bad):
+                    raise ValueError(f"point {bad[0]} has a coordinate that is not finite")
+                self._box.set_vectors(vectors)
+                self._given_vectors = vectors
+            self._box.call("move_points", len(rows), None, address(rows))
+
+        self._build(rows, place)
 
     def check(self) -> None:
         """Proves the triangulation, exactly.

@@ -53,19 +53,18 @@ struct PeriodicCalls {
  *  mgdt_periodic_get_array() and mgdt_periodic_get_doubles(). @since 1.3 */
 class Periodic : public detail::Results<detail::PeriodicCalls> {
   public:
-    /** Makes a box of one to three vectors without points; mgdt_periodic_create().
-     *  @throw OutOfMemory, Error */
-    explicit Periodic(Points vectors) : Periodic(vectors, nullptr, nullptr, nullptr) {}
+    /** Makes a box without vectors and points; mgdt_periodic_create(). @throw OutOfMemory, Error */
+    Periodic() : Periodic(nullptr, nullptr, nullptr) {}
     /** Makes a box that takes all its memory from `alloc`; mgdt_periodic_create_with_allocator().
      *  Neither function may throw. @throw OutOfMemory, Error */
-    Periodic(Points vectors, mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
-        constexpr std::size_t most = 3;  // C refuses the next number too
-        const std::size_t count = vectors.count() <= most ? vectors.count() : most + 1;
+    Periodic(mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
         make([&](mgdt_periodic** out) {
-            return mgdt_periodic_create_with_allocator(static_cast<std::int32_t>(count),
-                                                       vectors.data(), alloc, give_back, user, out);
+            return mgdt_periodic_create_with_allocator(alloc, give_back, user, out);
         });
     }
+    /** Makes a box of one to three vectors without points; mgdt_periodic_set_vectors().
+     *  @throw OutOfMemory, Error */
+    explicit Periodic(Points vectors) : Periodic() { set_vectors(vectors); }
     /** Takes ownership of a handle of the C interface. */
     explicit Periodic(mgdt_periodic* owned) noexcept : Results(owned) {}
 
@@ -73,6 +72,13 @@ class Periodic : public detail::Results<detail::PeriodicCalls> {
 
     /** mgdt_periodic_clear(). @throw Error */
     void clear() { require(mgdt_periodic_clear(get())); }
+    /** Sets the vectors, and keeps the points; mgdt_periodic_set_vectors().
+     *  @throw OutOfMemory, Error */
+    void set_vectors(Points vectors) {
+        constexpr std::size_t most = 3;  // C refuses the next number too
+        const std::size_t count = vectors.count() <= most ? vectors.count() : most + 1;
+        require(mgdt_periodic_set_vectors(get(), static_cast<std::int32_t>(count), vectors.data()));
+    }
     /** Merges near images in later builds; mgdt_periodic_set_merge_distance(). @throw Error */
     void set_merge_distance(double distance) {
         require(mgdt_periodic_set_merge_distance(get(), distance));

@@ -51,9 +51,11 @@ module Mgdt
       build(progress)
     end
 
-    # Moves all points, as in a time step; what is read afterwards is that of the new places.
-    def move(points, &progress)
+    # Moves all points, as in a time step, and sets other vectors of the box, if there are any; what is
+    # read afterwards is that of the new places.
+    def move(points, box = nil, &progress)
       given = Points.new(points)
+      vectors_are(box) if box
       @reader.call(:move_points, given.count, nil, given.data)
       build(progress)
       self
@@ -96,19 +98,23 @@ module Mgdt
     def argument(message) = InvalidArgument.new(message, 11)
 
     def make(box)
+      out = FFI::MemoryPointer.new(:pointer)
+      status = Library.mgdt_periodic_create(out)
+      raise Error.of(status, Library.mgdt_status_string(status)) unless status.zero?
+
+      @handle = Handle.new(out.read_pointer)
+      @reader = ArrayReader.new(:periodic, @handle)
+      vectors_are(box)
+    end
+
+    def vectors_are(box)
       is_lengths = box.is_a?(Array) && box.size == 3 && box.all?(Numeric)
       rows = is_lengths ? box.each_with_index.map { |x, k| [0, 0, 0].tap { |row| row[k] = x } } : box
       vectors = Points.new(rows, name: "box")
       raise argument("box has #{vectors.count} vectors; it must have one to three") unless
         vectors.count.between?(1, 3)
 
-      out = FFI::MemoryPointer.new(:pointer)
-      status = Library.mgdt_periodic_create(vectors.count, vectors.data, out)
-      message = "the vectors of the box do not span, or hardly" if status == CONSTANTS[:status][:invalid_argument]
-      raise Error.of(status, message || Library.mgdt_status_string(status)) unless status.zero?
-
-      @handle = Handle.new(out.read_pointer)
-      @reader = ArrayReader.new(:periodic, @handle)
+      @reader.call(:set_vectors, vectors.count, vectors.data)
     end
 
     def build(progress)

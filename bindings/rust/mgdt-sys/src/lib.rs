@@ -783,14 +783,8 @@ extern "C" {
         capacity: i64,
         buffer: *mut c_char,
     ) -> mgdt_status;
-    pub fn mgdt_periodic_create(
-        dimensions: i32,
-        vectors: *const f64,
-        out: *mut *mut mgdt_periodic,
-    ) -> mgdt_status;
+    pub fn mgdt_periodic_create(out: *mut *mut mgdt_periodic) -> mgdt_status;
     pub fn mgdt_periodic_create_with_allocator(
-        dimensions: i32,
-        vectors: *const f64,
         alloc: mgdt_alloc_fn,
         release: mgdt_free_fn,
         user: *mut c_void,
@@ -798,6 +792,11 @@ extern "C" {
     ) -> mgdt_status;
     pub fn mgdt_periodic_destroy(p: *mut mgdt_periodic);
     pub fn mgdt_periodic_clear(p: *mut mgdt_periodic) -> mgdt_status;
+    pub fn mgdt_periodic_set_vectors(
+        p: *mut mgdt_periodic,
+        dimensions: i32,
+        vectors: *const f64,
+    ) -> mgdt_status;
     pub fn mgdt_periodic_set_option(p: *mut mgdt_periodic, option: i32, value: i64) -> mgdt_status;
     pub fn mgdt_periodic_get_option(
         p: *const mgdt_periodic,

@@ -117,24 +117,24 @@ impl Keyed for Periodic {
 impl Periodic {
     /// A box of one to three vectors, without points.
     pub fn new(vectors: &[[f64; 3]]) -> Result<Periodic, Error> {
-        if vectors.is_empty() || vectors.len() > 3 {
-            return Err(Error::new(
-                ErrorKind::InvalidArgument,
-                format!("there are {} vectors; there must be one to three", vectors.len()),
-            ));
-        }
         let mut out = ptr::null_mut();
-        let status = unsafe {
-            sys::mgdt_periodic_create(vectors.len() as i32, vectors.as_ptr().cast(), &mut out)
+        let status = unsafe { sys::mgdt_periodic_create(&mut out) };
+        let mut made = match ptr::NonNull::new(out) {
+            Some(p) if status == sys::MGDT_OK => Periodic { p },
+            _ => return Err(Error::of_status(status, status_text(status))),
         };
-        match ptr::NonNull::new(out) {
-            Some(p) if status == sys::MGDT_OK => Ok(Periodic { p }),
-            _ if status == sys::MGDT_ERR_INVALID_ARGUMENT => Err(Error::of_status(
-                status,
-                "the vectors of the box do not span, or hardly".to_string(),
-            )),
-            _ => Err(Error::of_status(status, status_text(status))),
-        }
+        made.set_vectors(vectors)?;
+        Ok(made)
+    }
+
+    /// Sets the vectors, in place of earlier ones. The points stay.
+    pub fn set_vectors(&mut self, vectors: &[[f64; 3]]) -> Result<(), Error> {
+        // C refuses the next number too.
+        let count = vectors.len().min(4) as i32;
+        let status = unsafe {
+            sys::mgdt_periodic_set_vectors(self.raw(), count, vectors.as_ptr().cast())
+        };
+        self.ensure(status)
     }
 
     /// Sets how many threads a call may use; 0 for all cores.

@@ -315,7 +315,7 @@ fn every_export() {
         doubles("radius_ratios")
     );
     assert_eq!(
-        shapes(mgdt::TetrahedronMeasure::LargestAngle),
+        shapes(mgdt::TetrahedronMeasure::LargestDihedralAngle),
         doubles("largest_angles")
     );
     diagrams(&t, &cube);
@@ -611,6 +611,10 @@ fn a_periodic_box() {
     assert_eq!(refused(p.move_points(&[1], &[])), ErrorKind::InvalidArgument);
     let stopped = p.build_with_progress(|_| std::ops::ControlFlow::Break(()));
     assert_eq!(refused(stopped), ErrorKind::Cancelled);
+    assert_eq!(refused(p.set_vectors(&[])), ErrorKind::InvalidArgument);
+    p.set_vectors(&vectors[..2]).unwrap();
+    assert_eq!(p.statistic(Count::Dimensions).unwrap(), 2);
+    p.set_vectors(&vectors).unwrap();
     p.set_threads(2).unwrap();
     p.set_memory_limit(Some(1)).unwrap();
     assert_eq!(refused(p.build()), ErrorKind::OutOfMemory);
