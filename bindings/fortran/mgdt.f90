@@ -143,7 +143,8 @@ module mgdt
         generic :: set_memory_limit => set_memory_limit_i32, set_memory_limit_i64
         procedure, private :: set_progress_procedure, set_progress_observer
         generic :: set_progress => set_progress_procedure, set_progress_observer
-        procedure :: remove_progress, cancel, set_compact, set_canonical_output, set_isa
+        procedure :: remove_progress, set_read_progress, cancel
+        procedure :: set_compact, set_canonical_output, set_isa
         procedure :: get_order_scheme
         procedure :: get_order_parameter
         procedure, private :: get_seed_i32, get_seed_i64
@@ -153,6 +154,7 @@ module mgdt
         procedure, private :: get_memory_limit_i32, get_memory_limit_i64
         generic :: get_memory_limit => get_memory_limit_i32, get_memory_limit_i64
         procedure :: get_compact
+        procedure :: get_read_progress
         procedure :: get_canonical_output
         ! points
         procedure, private :: insert_xyz_1, insert_xyz_2, insert_x_y_z
@@ -366,6 +368,12 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
+        module subroutine get_read_progress(self, on, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            logical, intent(inout) :: on
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
         module subroutine get_canonical_output(self, on, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             logical, intent(inout) :: on
@@ -431,6 +439,14 @@ module mgdt
         end subroutine
         module subroutine remove_progress(self, stat, errmsg)
             class(mgdt_triangulation), intent(inout) :: self
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Whether calls that only read, such as check and interpolate, report progress and can be
+        ! cancelled, too. Default .false. Since 1.3.
+        module subroutine set_read_progress(self, on, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            logical, intent(in) :: on
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

@@ -179,6 +179,18 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int32_t) :: status
         end function
+        function c_set_read_progress(t, on) result(status) bind(c, name='mgdt_set_read_progress')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
+        function c_get_read_progress(t, on) result(status) bind(c, name='mgdt_get_read_progress')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: on
+            integer(c_int32_t) :: status
+        end function
         function c_set_canonical_output(t, on) result(status) &
             bind(c, name='mgdt_set_canonical_output')
             import :: c_int32_t, c_ptr

@@ -215,6 +215,17 @@ subroutine mgcomp(h, ion, ierr)
     ierr = c_set_compact(handle_of(h), to_c(ion))
 end subroutine
 
+! Whether calls that only read report progress and can be cancelled, too: 1, or 0 (default). Since 1.3.
+subroutine mgrdpr(h, ion, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: ion
+    integer, intent(out) :: ierr
+
+    ierr = c_set_read_progress(handle_of(h), to_c(ion))
+end subroutine
+
 ! Each setting as it is set. Since 1.2. The value of a parameter is 0 where each scheme has a default
 ! of its own.
 subroutine mggord(h, iord, ierr)
@@ -297,6 +308,19 @@ subroutine mggcom(h, ion, ierr)
     integer(c_int32_t) :: found
 
     ierr = c_get_compact(handle_of(h), found)
+    if (ierr == mgdt_ok) ion = found
+end subroutine
+
+! Since 1.3.
+subroutine mggrdp(h, ion, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(inout) :: ion
+    integer, intent(out) :: ierr
+    integer(c_int32_t) :: found
+
+    ierr = c_get_read_progress(handle_of(h), found)
     if (ierr == mgdt_ok) ion = found
 end subroutine
 

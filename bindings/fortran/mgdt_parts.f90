@@ -26,7 +26,8 @@ module mgdt_parts
     public :: mgdt_parts_triangulation, mgdt_progress, mgdt_part_look
     ! The constants; mgdt_parts_constants.f90 says what they mean.
     public :: mgdt_parts_this_part
-    public :: mgdt_parts_index_base, mgdt_parts_threads, mgdt_parts_memory_limit
+    public :: mgdt_parts_index_base, mgdt_parts_threads, mgdt_parts_memory_limit, &
+              mgdt_parts_read_progress
     public :: mgdt_parts_parts, mgdt_parts_first_local, mgdt_parts_local_parts, &
               mgdt_parts_points, mgdt_parts_own_vertices, mgdt_parts_vertices, &
               mgdt_parts_all_vertices, mgdt_parts_own_tetrahedra, mgdt_parts_tetrahedra, &

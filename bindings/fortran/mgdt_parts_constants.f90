@@ -18,6 +18,9 @@ module mgdt_parts_constants
     ! Bytes that this process may hold for points and triangulations; 0 (default) for no limit. For
     ! triangulations a new limit applies from the next build on.
     integer, parameter :: mgdt_parts_memory_limit = 30
+    ! 1 if mgdt_parts_check() reports progress and can be cancelled, as mgdt_parts_build(); default
+    ! 0. The same on all processes. Since 1.3.
+    integer, parameter :: mgdt_parts_read_progress = 40
 
     ! Numbers.
     ! Number of parts of all processes.

@@ -145,6 +145,15 @@ contains
         call finish(self%handle, 'set_compact', status, stat, errmsg)
     end procedure
 
+    module procedure set_read_progress
+        integer(c_int32_t) :: status
+
+        call make(self%handle, status)
+        if (status == mgdt_ok) status = c_set_read_progress(self%handle, &
+                merge(1_c_int32_t, 0_c_int32_t, on))
+        call finish(self%handle, 'set_read_progress', status, stat, errmsg)
+    end procedure
+
     module procedure set_canonical_output
         integer(c_int32_t) :: status
 
@@ -249,6 +258,17 @@ contains
         if (status == mgdt_ok) status = c_get_compact(handle, found)
         if (status == mgdt_ok) on = found /= 0
         call finish(handle, 'get_compact', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_read_progress
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+        integer(c_int32_t) :: found
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_read_progress(handle, found)
+        if (status == mgdt_ok) on = found /= 0
+        call finish(handle, 'get_read_progress', status, stat, errmsg, owned=self%handle)
     end procedure
 
     module procedure get_canonical_output

@@ -48,6 +48,7 @@ LENGTHS = {
     "mgdt_get_index_base": {"base": "1"},
     "mgdt_get_memory_limit": {"bytes": "1"},
     "mgdt_get_compact": {"on": "1"},
+    "mgdt_get_read_progress": {"on": "1"},
     "mgdt_get_progress": {"fn": "1"},
     "mgdt_get_canonical_output": {"on": "1"},
     "mgdt_set_isa": {"name": "?text"},
@@ -117,7 +118,7 @@ COLUMNS = {**{name: rows.width for name, rows in ROWS.items()}, **dict.fromkeys(
 
 # The settings that are single numbers, each with mgdt_set_ and mgdt_get_.
 SETTINGS = ("order_scheme", "order_parameter", "seed", "threads", "index_base", "memory_limit",
-            "compact", "canonical_output")
+            "compact", "read_progress", "canonical_output")
 
 F77_NAMES = {
     "MGDT_OK": "MGOK",

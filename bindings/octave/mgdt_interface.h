@@ -28,6 +28,8 @@
     F(set_progress);                   \
     F(get_progress);                   \
     F(cancel);                         \
+    F(set_read_progress);              \
+    F(get_read_progress);              \
     F(set_canonical_output);           \
     F(get_canonical_output);           \
     F(set_isa);                        \

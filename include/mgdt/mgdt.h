@@ -38,8 +38,8 @@
  *   not in tetrahedra). If an array is too small, the call returns MGDT_ERR_BUFFER_TOO_SMALL and
  *   does not write to the array.
  * - Handles of mgdt_voronoi.h, mgdt_domain.h, mgdt_mesh.h and mgdt_periodic.h have keys: options
- * are 1 to 99, statistics 100 to 199, arrays of integers 200 to 299, and arrays of doubles 300 to
- *   399, in all later versions too. A key of another kind is MGDT_ERR_UNKNOWN_KEY.
+ *   are 1 to 99, statistics 100 to 199, arrays of integers 200 to 299, and arrays of doubles 300
+ *   to 399, in all later versions too. A key of another kind is MGDT_ERR_UNKNOWN_KEY.
  * - A function whose name ends in _i32 does what its namesake does, with 32-bit integers in the
  *   arrays. If an index does not fit, it returns MGDT_ERR_INDEX_RANGE.
  * - Thread rule: calls that take a `const mgdt_triangulation *` may run on one handle from many
@@ -55,7 +55,8 @@
  *   const handle runs, calls with a non-const handle are refused, and mgdt_destroy() does nothing.
  *   One case is not detected: a call with a non-const handle from another thread while
  *   mgdt_locate(), mgdt_nearest_vertex(), their _i32 forms, a getter of a setting, mgdt_get_stat()
- *   or a count runs. (Since 1.2. Earlier versions did not detect any of this.)
+ *   or a count runs. (Since 1.2. Earlier versions did not detect any of this.) Calls that read
+ *   the handle are not refused to an allocator callback of a call that reads it.
  * - Callbacks must return: no longjmp(), no pthread_exit(). They should not throw. An exception
  *   from the progress callback counts as a nonzero result, one from an mgdt_alloc_fn as NULL, and
  *   one from an mgdt_free_fn is dropped.
@@ -279,9 +280,10 @@ enum {
 typedef void* (*mgdt_alloc_fn)(size_t size, size_t align, void* user);
 /** Frees memory; `size` and `align` are those of the allocation. */
 typedef void (*mgdt_free_fn)(void* p, size_t size, size_t align, void* user);
-/** Receives the progress of the running insertion, removal or move: a `fraction` from 0 to 1. It is
- *  called on the thread that made the call. A nonzero return value cancels the call. The function
- *  must not use the handle, except for mgdt_cancel() and mgdt_get_error(). */
+/** Receives the progress of a long call: a `fraction` from 0 to 1, which does not decrease. It is
+ *  called on the thread that made the call, so several threads may be in it if they make calls that
+ *  read the handle at the same time. A nonzero return value cancels the call. The function must not
+ *  use the handle, except for mgdt_cancel() and mgdt_get_error(). */
 typedef int32_t (*mgdt_progress_fn)(double fraction, void* user);
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -419,12 +421,12 @@ MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on);
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation* t, int32_t* on);
 
-/** Sets the callback that receives progress and may cancel. mgdt_insert_points(),
- *  mgdt_insert_points_strided(), mgdt_remove_points() and mgdt_move_points() call it if they are
- *  given points: with 0 before the first point, about a hundred times during the call (less often
- *  for few points), and with 1 after the last point, when it is too late to cancel. No other
- *  function calls it: exports, locations, mgdt_check(), mgdt_reserve() and mgdt_set_compact()
- *  cannot be cancelled.
+/** Sets the callback that receives the progress of long calls and may cancel them. A long call
+ *  calls it with 0 at the beginning, about a hundred times in all (less often for few points), and
+ *  with 1 at the end, when it is too late to cancel. Long calls are mgdt_voronoi_create(), and
+ *  those of mgdt_insert_points(), mgdt_insert_points_strided(), mgdt_remove_points() and
+ *  mgdt_move_points() that are given points. With mgdt_set_read_progress() others are long calls,
+ *  too.
  *  @param fn  the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -439,14 +441,29 @@ MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
                                        void** user);
 
-/** Asks the insertion, removal or move that is running on the handle to stop soon, or, since 1.3,
- *  mgdt_voronoi_create(). That call then returns MGDT_ERR_CANCELLED; if it finishes first, the
- *  request is dropped. If none is running, the request stays pending: it stops the next such call
- *  that is given points, or the next mgdt_voronoi_create(), unless mgdt_clear() comes first. Any
- *  thread and any signal handler may call this function.
+/** Asks the long calls (see mgdt_set_progress()) that are running on the handle to stop soon. They
+ *  then return MGDT_ERR_CANCELLED; if they finish first, the request is dropped. If none is
+ *  running, the request stays pending: it stops the next long call, unless mgdt_clear() comes
+ *  first. Any thread and any signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
+
+/** Makes calls that only read the handle long calls, which report to the callback of
+ *  mgdt_set_progress() and which mgdt_cancel() stops: mgdt_check(), measures of cells and of
+ *  tetrahedra, circumcentres, alpha values and alpha shapes, the Gabriel graph and the spanning
+ *  tree, interpolation, gradients, mgdt_locate_points() and mgdt_nearest_vertices(). If such a call
+ *  is cancelled, what it has written to output arrays has no meaning. Calls that copy what the
+ *  handle has are never long calls. Earlier versions did not call the callback there, so it may be
+ *  one that has to be called during insertions alone; therefore this is off by default.
+ *  @param on  1, or 0 (default)
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_set_read_progress(mgdt_triangulation* t, int32_t on);
+/** Whether calls that read report progress, 0 or 1.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_get_read_progress(const mgdt_triangulation* t, int32_t* on);
 
 /** Makes exports canonical: byte for byte, they depend only on the points, their indices and the
  *  index base, not on the order scheme, the threads or the division into calls. Each tetrahedron
@@ -702,7 +719,7 @@ MGDT_API mgdt_status mgdt_get_vertex_neighbors_i32(const mgdt_triangulation* t,
  *  @param capacity    elements in v, at least 2 count; 2 mgdt_edge_count(t) is always enough
  *  @param[out] v      may be NULL if there are no edges
  *  @param[out] count  the number of edges; written also if v is too small for them
- *  @return as mgdt_get_tetrahedra()
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_CANCELLED
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_gabriel_edges(const mgdt_triangulation* t, int64_t capacity,
                                             int64_t* v, int64_t* count);
@@ -718,7 +735,7 @@ MGDT_API mgdt_status mgdt_get_gabriel_edges_i32(const mgdt_triangulation* t, int
  *  @param capacity    elements in v, at least 2 (mgdt_vertex_count(t) - 1)
  *  @param[out] v      may be NULL if there are no edges
  *  @param[out] count  the number of edges; written also if v is too small for them
- *  @return as mgdt_get_tetrahedra()
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_CANCELLED
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_spanning_tree(const mgdt_triangulation* t, int64_t capacity,
                                             int64_t* v, int64_t* count);
@@ -736,7 +753,7 @@ MGDT_API mgdt_status mgdt_get_spanning_tree_i32(const mgdt_triangulation* t, int
  *  @param[out] xyz      3 capacity elements: x y z of each centre; may be NULL if there are no
  *                       tetrahedra
  *  @param[out] radius2  capacity elements; or NULL
- *  @return as mgdt_get_tetrahedra()
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_CANCELLED
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
                                             double* xyz, double* radius2);
@@ -750,7 +767,7 @@ MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t
  *  @param measure   an MGDT_TETRAHEDRON_ value
  *  @param capacity  elements in x, at least mgdt_tetrahedron_count(t)
  *  @param[out] x    may be NULL if there are no tetrahedra
- *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_UNKNOWN_KEY
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_UNKNOWN_KEY and MGDT_ERR_CANCELLED
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, int32_t measure,
                                                    int64_t capacity, double* x);
@@ -774,9 +791,9 @@ MGDT_API mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, 
  *  @param capacity  elements in x, at least mgdt_point_count(t), or three times that for centroids
  *  @param[out] x    for each point a number, or x y z of a centroid
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_FINITE (a plane),
- *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT (a negative number;
- *  points that are all in one plane, unless there are none or, since 1.3, planes; a point outside;
- *  planes that do not bound a region; the message says which)
+ *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT
+ *  (a negative number; points that are all in one plane, unless there are none or, since 1.3,
+ *  planes; a point outside; planes that do not bound a region; the message says which)
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
                                             int64_t n_planes, const double* planes,
@@ -796,7 +813,7 @@ MGDT_API mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t
  *                      mgdt_edge_count(t), or mgdt_point_count(t)
  *  @param[out] alpha2  may be NULL if there is nothing to write
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL,
- *  MGDT_ERR_OUT_OF_MEMORY
+ *  MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dimension,
                                      int64_t capacity, double* alpha2);
@@ -810,7 +827,8 @@ MGDT_API mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dimens
  *                     enough
  *  @param[out] v      3 vertices of each facet; may be NULL if there are none
  *  @param[out] count  the number of facets; written also if v is too small for them
- *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_INVALID_ARGUMENT for an alpha2 below 0 or NaN
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_INVALID_ARGUMENT for an alpha2 below 0 or NaN,
+ *  and MGDT_ERR_CANCELLED
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_alpha_surface(const mgdt_triangulation* t, double alpha2,
                                             int64_t capacity, int64_t* v, int64_t* count);
@@ -822,8 +840,8 @@ MGDT_API mgdt_status mgdt_get_alpha_surface_i32(const mgdt_triangulation* t, dou
 /** Computes the least alpha at which the alpha shape is one solid with all vertices: each
  *  tetrahedron can be reached from any other through facets.
  *  @param[out] alpha2  the square of a radius; 0 if there are no points
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT (all
- *  points are in one plane)
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY,
+ *  MGDT_ERR_INVALID_ARGUMENT (all points are in one plane)
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_solid_alpha(const mgdt_triangulation* t, double* alpha2);
 
@@ -856,7 +874,7 @@ MGDT_API mgdt_status mgdt_locate_i32(const mgdt_triangulation* t, const double* 
  *                          times the largest magnitude among the vertices, plus 2^-1073, along each
  *                          axis and however flat the tetrahedron is
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
- *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
+ *  message names the point; nothing is written), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
                                         int64_t* tetrahedra, double* weights);
@@ -925,7 +943,7 @@ MGDT_API mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation* t, const 
  *  @param xyz            3 n coordinates
  *  @param[out] vertices  n indices of vertices; none if the triangulation is empty
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
- *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
+ *  message names the point; nothing is written), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_nearest_vertices(const mgdt_triangulation* t, int64_t n,
                                            const double* xyz, int64_t* vertices);
@@ -952,8 +970,8 @@ MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int6
  *  @param xyz       3 n coordinates of the places
  *  @param[out] out  n_fields numbers for each place; NaN if there is no value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (also if all points are in one
- *  plane and the method is not MGDT_INTERPOLATE_NEAREST), MGDT_ERR_UNKNOWN_KEY,
- *  MGDT_ERR_NOT_FINITE (the message names the place; nothing is written), MGDT_ERR_TOO_LARGE,
+ *  plane and the method is not MGDT_INTERPOLATE_NEAREST), MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_FINITE
+ *  (the message names the place; nothing is written), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t method, int32_t outside,
@@ -978,7 +996,7 @@ MGDT_API mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t metho
  *  @param[out] weights     the weight of each of these points
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_UNKNOWN_KEY,
  *  MGDT_ERR_NOT_FINITE, MGDT_ERR_BUFFER_TOO_SMALL (offsets are written; nothing else),
- *  MGDT_ERR_OUT_OF_MEMORY; as mgdt_interpolate()
+ *  MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY; as mgdt_interpolate()
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_interpolation_weights(const mgdt_triangulation* t, int32_t method,
                                                     int32_t outside, int64_t n, const double* xyz,
@@ -1002,7 +1020,7 @@ MGDT_API mgdt_status mgdt_get_interpolation_weights_i32(const mgdt_triangulation
  *  @param[out] out  for each field of each point 3 numbers, the derivatives by x, y and z. Equal
  *                   points have the same; a point that is not in the triangulation has NaN
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (also if all points are in one
- *  plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_OUT_OF_MEMORY
+ *  plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n_fields,
                                         const double* values, double* out);
@@ -1012,7 +1030,7 @@ MGDT_API mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n_f
 /** Checks that the triangulation is valid, by exact arithmetic and in linear time.
  *  @param level  an MGDT_CHECK_ value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_CHECK_FAILED (the
- *  message says what and where), MGDT_ERR_OUT_OF_MEMORY
+ *  message says what and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level);
 

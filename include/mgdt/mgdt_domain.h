@@ -119,7 +119,8 @@ MGDT_API mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int6
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_option(const mgdt_domain* d, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_domain_build() and may cancel it.
+/** Sets the callback that receives the progress of mgdt_domain_build(), mgdt_domain_validate() and
+ *  mgdt_domain_check() and may cancel them, as that of mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -132,10 +133,10 @@ MGDT_API mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_domain_get_progress(const mgdt_domain* d, mgdt_progress_fn* fn,
                                               void** user);
 
-/** Asks the running mgdt_domain_build() or mgdt_domain_validate() to stop soon. That call then
- *  returns MGDT_ERR_CANCELLED. If none is running, the request stays pending and stops the next
- *  one, unless mgdt_domain_clear() comes first. Any thread and any signal handler may call this
- *  function.
+/** Asks the running mgdt_domain_build(), mgdt_domain_validate() or mgdt_domain_check() to stop
+ *  soon. That call then returns MGDT_ERR_CANCELLED. If none is running, the request stays pending
+ *  and stops the next one, unless mgdt_domain_clear() comes first. Any thread and any signal
+ *  handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_cancel(mgdt_domain* d);

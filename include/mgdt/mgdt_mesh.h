@@ -139,7 +139,8 @@ MGDT_API mgdt_status mgdt_mesh_set_option(mgdt_mesh* m, int32_t option, int64_t 
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_option(const mgdt_mesh* m, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_mesh_check() and may cancel it.
+/** Sets the callback that receives the progress of mgdt_mesh_check() and
+ *  mgdt_mesh_get_tetrahedron_measures() and may cancel them, as that of mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -151,9 +152,9 @@ MGDT_API mgdt_status mgdt_mesh_set_progress(mgdt_mesh* m, mgdt_progress_fn fn, v
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_progress(const mgdt_mesh* m, mgdt_progress_fn* fn, void** user);
 
-/** Asks the running mgdt_mesh_check() to stop soon. That call then returns MGDT_ERR_CANCELLED. If
- *  none is running, the request stays pending and stops the next one. Any thread and any signal
- *  handler may call this function.
+/** Asks the running mgdt_mesh_check() or mgdt_mesh_get_tetrahedron_measures() to stop soon. That
+ *  call then returns MGDT_ERR_CANCELLED. If none is running, the request stays pending and stops
+ *  the next one. Any thread and any signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_cancel(mgdt_mesh* m);
@@ -208,7 +209,7 @@ MGDT_API mgdt_status mgdt_mesh_get_doubles(const mgdt_mesh* m, int32_t array, in
  *  @param capacity  elements in x, at least the number of tetrahedra
  *  @param[out] x    a number for each tetrahedron
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
- *  MGDT_ERR_BUFFER_TOO_SMALL
+ *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_CANCELLED
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int32_t measure,
                                                         int64_t capacity, double* x);

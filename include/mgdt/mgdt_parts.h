@@ -107,7 +107,10 @@ enum {
     MGDT_PARTS_THREADS = 20,
     /** Bytes that this process may hold for points and triangulations; 0 (default) for no limit.
      *  For triangulations a new limit applies from the next build on. */
-    MGDT_PARTS_MEMORY_LIMIT = 30
+    MGDT_PARTS_MEMORY_LIMIT = 30,
+    /** 1 if mgdt_parts_check() reports progress and can be cancelled, as mgdt_parts_build();
+     *  default 0. The same on all processes. Since 1.3. */
+    MGDT_PARTS_READ_PROGRESS = 40
 };
 
 /** Keys of mgdt_parts_get_stat(). Numbers of vertices and tetrahedra are 0 until the first
@@ -213,8 +216,9 @@ MGDT_API mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_parts_build() on this process. It may
- *  cancel, which stops the build on all processes.
+/** Sets the callback that receives the progress of mgdt_parts_build() on this process, and that of
+ *  mgdt_parts_check() with MGDT_PARTS_READ_PROGRESS. It may cancel, which stops the call on all
+ *  processes.
  *  @param fn  the callback; NULL for none (default)
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
@@ -226,10 +230,11 @@ MGDT_API mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn,
 MGDT_API mgdt_status mgdt_parts_get_progress(const mgdt_parts* p, mgdt_progress_fn* fn,
                                              void** user);
 
-/** Asks mgdt_parts_build() to stop soon. That call then returns MGDT_ERR_CANCELLED on all
- *  processes. If none is running, the request stays pending and stops the next build, unless
- *  mgdt_parts_clear() comes first; it also ends with a build that fails for another reason. Any
- *  thread and any signal handler may call this function. Not collective.
+/** Asks mgdt_parts_build(), or mgdt_parts_check() with MGDT_PARTS_READ_PROGRESS, to stop soon. That
+ *  call then returns MGDT_ERR_CANCELLED on all processes. If none is running, the request stays
+ *  pending and stops the next one, unless mgdt_parts_clear() comes first; it also ends with a call
+ *  that fails for another reason. Any thread and any signal handler may call this function. Not
+ *  collective.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_cancel(mgdt_parts* p);
@@ -326,7 +331,7 @@ MGDT_API mgdt_status mgdt_parts_get_coordinates(const mgdt_parts* p, int32_t par
  *  together (docs/theory.md, "Parts"). Collective.
  *  @param level  an MGDT_CHECK_ value; the same on all processes
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (the level, or nothing is
- *  built), MGDT_ERR_CHECK_FAILED (the message says what is wrong and where),
+ *  built), MGDT_ERR_CHECK_FAILED (the message says what is wrong and where), MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_TRANSPORT
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level);

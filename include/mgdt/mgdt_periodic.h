@@ -174,7 +174,9 @@ MGDT_API mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double d
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, double* distance);
 
-/** Sets the callback that receives the progress of mgdt_periodic_build() and may cancel it.
+/** Sets the callback that receives the progress of mgdt_periodic_build(), mgdt_periodic_check(),
+ *  mgdt_periodic_create_voronoi() and mgdt_periodic_get_cell_measures() and may cancel them, as
+ *  that of mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -187,10 +189,10 @@ MGDT_API mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_
 MGDT_API mgdt_status mgdt_periodic_get_progress(const mgdt_periodic* p, mgdt_progress_fn* fn,
                                                 void** user);
 
-/** Asks the running mgdt_periodic_build(), mgdt_periodic_check() or mgdt_periodic_create_voronoi()
- *  to stop soon. That call then returns MGDT_ERR_CANCELLED. If none is running, the request stays
- *  pending and stops the next one, unless mgdt_periodic_clear() comes first. Any thread and any
- *  signal handler may call this function.
+/** Asks the running mgdt_periodic_build(), mgdt_periodic_check(), mgdt_periodic_create_voronoi() or
+ *  mgdt_periodic_get_cell_measures() to stop soon. That call then returns MGDT_ERR_CANCELLED. If
+ *  none is running, the request stays pending and stops the next one, unless mgdt_periodic_clear()
+ *  comes first. Any thread and any signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_cancel(mgdt_periodic* p);
@@ -294,8 +296,8 @@ MGDT_API mgdt_status mgdt_periodic_get_doubles(const mgdt_periodic* p, int32_t a
  *  @param capacity  elements in x, at least the number of points, or three times that for centroids
  *  @param[out] x    for each point a number, or x y z of a centroid
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_BUFFER_TOO_SMALL,
- *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (a negative capacity, or
- *  points of a slab or a wire that do not span space)
+ *  MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (a
+ *  negative capacity, or points of a slab or a wire that do not span space)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int32_t measure,
                                                      int64_t capacity, double* x);

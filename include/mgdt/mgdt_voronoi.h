@@ -116,7 +116,8 @@ enum {
 
 /** Makes the Voronoi diagram of the points in a triangulation. It uses as many threads as the
  *  triangulation (mgdt_set_threads()), takes its memory from the same functions and has the same
- *  memory limit for itself. mgdt_cancel() stops the call.
+ *  memory limit for itself. It reports progress to the callback of mgdt_set_progress(), and
+ *  mgdt_cancel() stops it.
  *  @param t         without planes, its points span space, or it has none
  *  @param n_planes  number of planes; 0 to clip nothing
  *  @param planes    4 numbers a b c d for each plane: the region is where a x + b y + c z <= d. The

@@ -8,7 +8,7 @@ using namespace mgdt;
 extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
                                               int64_t n_planes, const double* planes,
                                               int64_t capacity, double* x) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         const Measure m = measure_of(measure);
         const std::size_t n = require_planes(n_planes, planes);
         if (n == 0) require_space(t, "cells");
@@ -19,7 +19,7 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
         if (t->object.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();
         with_cell_view(t, t->object.allocator(), n, planes,
                        [&](const ExportView& view, const Region& region, std::size_t) {
-                           export_measures(view, region, m, points, x);
+                           export_measures(view, region, m, points, progress, x);
                        });
     });
 }

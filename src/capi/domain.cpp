@@ -259,9 +259,9 @@ extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out) {
 
 extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* mesh) {
     if (!mesh) return MGDT_ERR_NULL_POINTER;
-    return guard(d, [&] {
+    return guard_long(d, [&](StageProgress& progress) {
         const SecondHandle second(mesh);
-        d->object.check(mesh->object.value);
+        d->object.check(mesh->object.value, progress);
     });
 }
 

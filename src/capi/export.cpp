@@ -176,7 +176,7 @@ MGDT_LIST_EXPORT(vertex_neighbors)
 
 extern "C" mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, int32_t measure,
                                                      int64_t capacity, double* x) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         const TetrahedronMeasure m = tetrahedron_measure_of(measure);
         const auto count = static_cast<std::size_t>(tetrahedron_count(t->object));
         if (count > 0) require_pointer(x, "the output array");
@@ -184,13 +184,13 @@ extern "C" mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t
         if (count == 0) return;
         constexpr std::size_t tetrahedra_per_thread = 4096;
         Team team(t->object.threads_for(count, tetrahedra_per_thread));
-        export_tetrahedron_measures(view_of(team, t, true), m, x);
+        export_tetrahedron_measures(view_of(team, t, true), m, progress, x);
     });
 }
 
 extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
                                               double* xyz, double* radius2) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         const auto count = static_cast<std::size_t>(tetrahedron_count(t->object));
         if (count > 0) require_pointer(xyz, "xyz");
         if (capacity < 0 || static_cast<std::uint64_t>(capacity) < count)
@@ -200,6 +200,6 @@ extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64
         if (count == 0) return;
         constexpr std::size_t tetrahedra_per_thread = 4096;
         Team team(t->object.threads_for(count, tetrahedra_per_thread));
-        export_circumcenters(view_of(team, t, true), xyz, radius2);
+        export_circumcenters(view_of(team, t, true), progress, xyz, radius2);
     });
 }

@@ -9,12 +9,13 @@ using namespace mgdt;
 namespace {
 
 template <class Int>
-void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
+void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count,
+             StageProgress& progress) {
     require_pointer(count, "count");
     require_capacity(capacity, 0, "the output array");
     Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
-    const EdgeLists edges =
-        gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->object)));
+    const EdgeLists edges = gabriel_edges(
+        view_of(team, t, false), static_cast<std::size_t>(point_count(t->object)), progress);
     give_rows(t, 2, edges.size(), capacity, v, count, [&](Int base) {
         edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
                         std::size_t size) {
@@ -27,12 +28,13 @@ void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) 
 }
 
 template <class Int>
-void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
+void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count,
+          StageProgress& progress) {
     require_pointer(count, "count");
     require_capacity(capacity, 0, "the output array");
     Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
     const Buffer<std::uint32_t> ends =
-        spanning_tree(view_of(team, t, false), t->object.point_map());
+        spanning_tree(view_of(team, t, false), t->object.point_map(), progress);
     give_rows(t, 2, ends.size() / 2, capacity, v, count, [&](Int base) {
         for (std::size_t i = 0; i < ends.size(); ++i) v[i] = static_cast<Int>(ends[i]) + base;
     });
@@ -42,20 +44,22 @@ void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
 
 extern "C" mgdt_status mgdt_get_gabriel_edges(const mgdt_triangulation* t, int64_t capacity,
                                               int64_t* v, int64_t* count) {
-    return guard(t, [&] { gabriel(t, capacity, v, count); });
+    return guard_long(t,
+                      [&](StageProgress& progress) { gabriel(t, capacity, v, count, progress); });
 }
 
 extern "C" mgdt_status mgdt_get_gabriel_edges_i32(const mgdt_triangulation* t, int64_t capacity,
                                                   int32_t* v, int32_t* count) {
-    return guard(t, [&] { gabriel(t, capacity, v, count); });
+    return guard_long(t,
+                      [&](StageProgress& progress) { gabriel(t, capacity, v, count, progress); });
 }
 
 extern "C" mgdt_status mgdt_get_spanning_tree(const mgdt_triangulation* t, int64_t capacity,
                                               int64_t* v, int64_t* count) {
-    return guard(t, [&] { tree(t, capacity, v, count); });
+    return guard_long(t, [&](StageProgress& progress) { tree(t, capacity, v, count, progress); });
 }
 
 extern "C" mgdt_status mgdt_get_spanning_tree_i32(const mgdt_triangulation* t, int64_t capacity,
                                                   int32_t* v, int32_t* count) {
-    return guard(t, [&] { tree(t, capacity, v, count); });
+    return guard_long(t, [&](StageProgress& progress) { tree(t, capacity, v, count, progress); });
 }

@@ -29,6 +29,44 @@ MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, const Body& body) no
 
 }  // namespace
 
+// Is on the stack while a progress function runs, which may make calls on other handles.
+class ProgressOfRead::Running {
+  public:
+    explicit Running(const ProgressOfRead& of) noexcept : of_(of), outer_(innermost) {
+        innermost = this;
+    }
+    ~Running() { innermost = outer_; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    const ProgressOfRead& of() const noexcept { return of_; }
+    const Running* outer() const noexcept { return outer_; }
+
+  private:
+    const ProgressOfRead& of_;
+    const Running* outer_;
+};
+
+thread_local const ProgressOfRead::Running* ProgressOfRead::innermost = nullptr;
+
+CallSettings ProgressOfRead::settings() noexcept {
+    CallSettings own;
+    if (!tell_) return own;
+    own.progress = [](double fraction, void* user) {
+        const ProgressOfRead& of = *static_cast<const ProgressOfRead*>(user);
+        const Running running(of);
+        return of.tell_(fraction, of.user_);
+    };
+    own.progress_user = this;
+    return own;
+}
+
+const char* ProgressOfRead::running_for(const HandleBase* handle) noexcept {
+    for (const Running* r = innermost; r; r = r->outer())
+        if (r->of().handle_ == handle) return r->of().name_;
+    return nullptr;
+}
+
 mgdt_status guard_alone(HandleBase* t, const Body& body, const char* name) {
     if (!t) return MGDT_ERR_NULL_POINTER;
     const CancellationDisabled uninterrupted;
@@ -41,6 +79,7 @@ mgdt_status guard_alone(HandleBase* t, const Body& body, const char* name) {
 mgdt_status guard_together(const HandleBase* t, const Body& body, const char* name) {
     if (!t) return MGDT_ERR_NULL_POINTER;
     const CancellationDisabled uninterrupted;
+    if (const char* const other = ProgressOfRead::running_for(t)) return t->refuse(name, other);
     if (!t->calls.try_enter_together()) return t->refuse(name);
     const mgdt_status status = run_inside(t, body);
     t->calls.leave_together();

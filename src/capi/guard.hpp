@@ -12,6 +12,7 @@
 #include "capi/call_lock.hpp"
 #include "mgdt/mgdt.h"
 #include "platform/atomic.hpp"
+#include "platform/call_settings.hpp"
 #include "platform/cancellation.hpp"
 #include "platform/compiler.hpp"
 #include "platform/error.hpp"
@@ -25,10 +26,12 @@ class HandleBase {
   public:
     mutable CallLock calls;
 
-    // Remembers why a call cannot enter, and returns its status.
-    mgdt_status refuse(const char* name) const noexcept {
+    // Remembers why a call cannot enter, and returns its status. `other` is the name of the call
+    // that the handle is busy in, if it is known.
+    mgdt_status refuse(const char* name, const char* other = nullptr) const noexcept {
         char message[Error::message_size];
-        if (const char* const other = calls.name())
+        if (!other) other = calls.name();
+        if (other)
             std::snprintf(message, sizeof message, "%s() is refused: the handle is busy in %s()",
                           name, other);
         else
@@ -110,6 +113,33 @@ mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FU
     return t && t->has_callbacks() ? guard_together(t, Body(body), name)
                                    : guard_uncounted(t, Body(body), name);
 }
+
+// The progress function of a long call that reads a handle. While it runs, calls of its thread that
+// read the handle and are counted are refused, so that it does not recur.
+class ProgressOfRead {
+  public:
+    // Calls the function that `settings` names now.
+    ProgressOfRead(const HandleBase* handle, const char* name,
+                   const CallSettings& settings) noexcept
+        : handle_(handle), name_(name), tell_(settings.progress), user_(settings.progress_user) {}
+    ProgressOfRead(const ProgressOfRead&) = delete;
+    ProgressOfRead& operator=(const ProgressOfRead&) = delete;
+
+    // Settings whose progress function is this one.
+    CallSettings settings() noexcept;
+    // The name of the call that reads the handle and whose progress function runs on this thread;
+    // nullptr if there is none.
+    static const char* running_for(const HandleBase* handle) noexcept;
+
+  private:
+    class Running;
+    static thread_local const Running* innermost;
+
+    const HandleBase* handle_;
+    const char* name_;
+    mgdt_progress_fn tell_;
+    void* user_;
+};
 
 // A handle that a call on another handle reads.
 class SecondHandle {

@@ -9,7 +9,7 @@
 #include "capi/guard.hpp"
 #include "platform/call_settings.hpp"
 #include "platform/memory.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -163,6 +163,31 @@ mgdt_status get_progress(const H* handle, mgdt_progress_fn* fn, void** user,
             require_pointer(reinterpret_cast<const void*>(fn), "the output");
             *fn = handle->object.settings().progress;
             if (user) *user = handle->object.settings().progress_user;
+        },
+        name);
+}
+
+enum class Watched { if_set, always };
+
+// Runs body(progress), a call that reads the handle, takes long, and may report its progress and be
+// cancelled: if the settings say so, or always.
+template <class H, class F>
+mgdt_status guard_long(const H* handle, F body, Watched watched = Watched::if_set,
+                       const char* name = __builtin_FUNCTION()) {
+    return guard(
+        handle,
+        [&] {
+            if (watched == Watched::if_set && !handle->object.settings().watches_reads) {
+                StopFlag never;
+                StageProgress unheard(CallSettings(), never);
+                return body(unheard);
+            }
+            const StopFlag::Call call(handle->object.stop());
+            ProgressOfRead of_read(handle, name, handle->object.settings());
+            StageProgress progress(of_read.settings(), handle->object.stop());
+            progress.stop_request().poll();
+            body(progress);
+            progress.finish();
         },
         name);
 }

@@ -61,7 +61,7 @@ std::size_t require_fields(std::int64_t fields, std::size_t rows) {
 template <class Int>
 void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outside, std::int64_t n,
              const double* xyz, std::int64_t offset_capacity, Int* offsets, std::int64_t capacity,
-             Int* points, double* to) {
+             Int* points, double* to, const StageProgress& progress) {
     const Manner manner = require_manner(t, method, outside);
     const std::size_t count = require_places(n);
     require_pointer(offsets, "the array of offsets");
@@ -83,7 +83,7 @@ void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outs
     else
         needed =
             interpolation_weights<Int>(view, locator(t), manner, finite_places(team, count, xyz, t),
-                                       {offsets, room, points, to});
+                                       progress, {offsets, room, points, to});
     if (!counts_alone) require_capacity(capacity, needed, "the output array");
 }
 
@@ -92,7 +92,7 @@ void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outs
 extern "C" mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t method,
                                         int32_t outside, int64_t n_fields, const double* values,
                                         int64_t n, const double* xyz, double* out) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         const Manner manner = require_manner(t, method, outside);
         const std::size_t count = require_places(n);
         const auto points = static_cast<std::size_t>(point_count(t->object));
@@ -103,7 +103,7 @@ extern "C" mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t met
         require_pointer(out, "the output array");
         Team team(t->object.threads_for(count, places_per_thread));
         interpolate(view_of(team, t, false), locator(t), manner, {fields, values},
-                    finite_places(team, count, xyz, t), out);
+                    finite_places(team, count, xyz, t), progress, out);
     });
 }
 
@@ -112,9 +112,9 @@ extern "C" mgdt_status mgdt_get_interpolation_weights(const mgdt_triangulation* 
                                                       int64_t offset_capacity, int64_t* offsets,
                                                       int64_t capacity, int64_t* points,
                                                       double* weights_out) {
-    return guard(t, [&] {
-        weights(t, method, outside, n, xyz, offset_capacity, offsets, capacity, points,
-                weights_out);
+    return guard_long(t, [&](StageProgress& progress) {
+        weights(t, method, outside, n, xyz, offset_capacity, offsets, capacity, points, weights_out,
+                progress);
     });
 }
 
@@ -124,15 +124,15 @@ extern "C" mgdt_status mgdt_get_interpolation_weights_i32(const mgdt_triangulati
                                                           int64_t offset_capacity, int32_t* offsets,
                                                           int64_t capacity, int32_t* points,
                                                           double* weights_out) {
-    return guard(t, [&] {
-        weights(t, method, outside, n, xyz, offset_capacity, offsets, capacity, points,
-                weights_out);
+    return guard_long(t, [&](StageProgress& progress) {
+        weights(t, method, outside, n, xyz, offset_capacity, offsets, capacity, points, weights_out,
+                progress);
     });
 }
 
 extern "C" mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n_fields,
                                           const double* values, double* out) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         require_space(t, "gradients");
         const auto points = static_cast<std::size_t>(point_count(t->object));
         const std::size_t fields = require_fields(n_fields, points);
@@ -142,6 +142,6 @@ extern "C" mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n
         constexpr std::size_t points_per_thread = 4096;
         Team team(t->object.threads_for(points, points_per_thread));
         gradients(view_of(team, t, false), locator(t), t->object.point_map(), {fields, values},
-                  out);
+                  progress, out);
     });
 }

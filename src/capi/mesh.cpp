@@ -133,22 +133,21 @@ extern "C" mgdt_status mgdt_mesh_get_doubles(const mgdt_mesh* m, int32_t array, 
 
 extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int32_t measure,
                                                           int64_t capacity, double* x) {
-    return guard(m, [&] {
+    return guard_long(m, [&](StageProgress& progress) {
         const TetrahedronMeasure of = tetrahedron_measure_of(measure);
         const std::size_t count = m->object.value.tetrahedron_count();
         require_capacity(capacity, count, "x");
         if (count == 0) return;
         require_pointer(x, "x");
         Team team(thread_count(m->object.settings()));
-        measure_tetrahedra(m->object.value, of, team, m->object.allocator(), x);
+        measure_tetrahedra(m->object.value, of, team, m->object.allocator(), progress, x);
     });
 }
 
 extern "C" mgdt_status mgdt_mesh_check(const mgdt_mesh* m) {
-    return guard(m, [&] {
+    return guard_long(m, [&](StageProgress& progress) {
         const Result<DomainMesh>& mesh = m->object;
-        const StopFlag::Call call(mesh.stop());
-        check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator());
+        check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator(), progress);
     });
 }
 

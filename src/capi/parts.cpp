@@ -16,7 +16,9 @@ PartsObject::PartsObject(const mgdt_transport* transport, PartId parts, mgdt_all
       transport_(transport ? static_cast<Transport*>(&callbacks_.emplace(*transport, allocator_))
                            : &in_process_.emplace(parts)),
       collective(*transport_),
-      given(allocator_, transport_->local_parts(), std::ref(allocator_)) {}
+      given(allocator_, transport_->local_parts(), std::ref(allocator_)) {
+    settings_.watches_reads = false;  // as in 1.2
+}
 
 PartId PartsObject::local(std::int32_t part) const {
     if (part == MGDT_PARTS_THIS_PART) {
@@ -155,6 +157,10 @@ void run_build(PartsObject& p, const Parts::Visit* visit) {
     }
 }
 
+constexpr Switch<CallSettings> read_progress = {MGDT_PARTS_READ_PROGRESS,
+                                                &CallSettings::watches_reads};
+const Switches<CallSettings> switches = {read_progress};
+
 }  // namespace
 
 extern "C" mgdt_status mgdt_parts_create(int32_t parts, mgdt_parts** out) {
@@ -203,11 +209,11 @@ extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
 }
 
 extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_t value) {
-    return set_option(p, option, value);
+    return set_option(p, option, value, switches);
 }
 
 extern "C" mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value) {
-    return get_option(p, option, value);
+    return get_option(p, option, value, switches);
 }
 
 extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user) {
@@ -270,14 +276,20 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
 
 extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
     return guard(p, [&] {
+        StopFlag never;
+        const bool is_watched = p->object.settings().watches_reads;
+        StopFlag& stop = is_watched ? p->object.stop() : never;
+        const StopFlag::Call call(stop);
+        StageProgress progress(is_watched ? p->object.settings() : CallSettings(), stop);
         p->object.collective.run([&] {
             if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
                      static_cast<int>(level));
             if (!p->object.triangulation || !p->object.keeps_tetrahedra)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
-            p->object.triangulation->check(level);
+            p->object.triangulation->check(level, progress);
         });
+        progress.finish();
     });
 }
 

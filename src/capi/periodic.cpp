@@ -154,10 +154,9 @@ extern "C" mgdt_status mgdt_periodic_build(mgdt_periodic* p) {
 }
 
 extern "C" mgdt_status mgdt_periodic_check(const mgdt_periodic* p) {
-    return guard(p, [&] {
+    return guard_long(p, [&](StageProgress& progress) {
         require_triangulation(p->object);
-        const StopFlag::Call call(p->object.stop());
-        check_periodic(p->object, p->object.stop().request());
+        check_periodic(p->object, progress);
     });
 }
 

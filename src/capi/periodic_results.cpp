@@ -165,14 +165,15 @@ void require_cells(const Periodic& p) {
         fail(MGDT_ERR_INVALID_ARGUMENT, "there are no cells: the points do not span space");
 }
 
-void get_measures(const Periodic& p, std::int32_t measure, std::int64_t capacity, double* x) {
+void get_measures(const Periodic& p, std::int32_t measure, std::int64_t capacity,
+                  StageProgress& progress, double* x) {
     const Measure m = measure_of(measure);
     require_cells(p);
     const std::size_t size = width_of(m) * p.point_count();
     require_capacity(capacity, size, "x");
     if (size == 0) return;
     require_pointer(x, "x");
-    export_periodic_measures(p, m, x);
+    export_periodic_measures(p, m, progress, x);
 }
 
 }  // namespace
@@ -212,18 +213,19 @@ extern "C" mgdt_status mgdt_periodic_get_doubles(const mgdt_periodic* p, int32_t
 
 extern "C" mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int32_t measure,
                                                        int64_t capacity, double* x) {
-    return guard(p, [&] { get_measures(p->object, measure, capacity, x); });
+    return guard_long(p, [&](StageProgress& progress) {
+        get_measures(p->object, measure, capacity, progress, x);
+    });
 }
 
 extern "C" mgdt_status mgdt_periodic_create_voronoi(const mgdt_periodic* p, mgdt_voronoi** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    return guard(p, [&] {
+    return guard_long(p, [&](StageProgress& progress) {
         require_cells(p->object);
         *out = new_result<mgdt_voronoi>(p->object, [&](Result<VoronoiDiagram>& made) {
             if (p->object.point_count() == 0) return make_empty(0, made.value);
-            const StopFlag::Call call(p->object.stop());
-            build_periodic_diagram(p->object, p->object.stop().request(), made.value);
+            build_periodic_diagram(p->object, progress, made.value);
         });
     });
 }

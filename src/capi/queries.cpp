@@ -16,7 +16,8 @@ namespace {
 
 // Checks the arguments of a query with many places, and calls body(team, places) to answer it.
 template <class Int, class Body>
-void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int* out, Body body) {
+void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int* out,
+            const Body& body) {
     const std::size_t count = require_places(n);
     if (count == 0) return;
     require_pointer(xyz, "xyz");
@@ -26,20 +27,26 @@ void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int
     body(team, places);
 }
 
+// For a query of one place, which is short.
+StageProgress unwatched(const mgdt_triangulation* t) {
+    return StageProgress(CallSettings(), t->object.stop());
+}
+
 template <class Int>
-void locate(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* tetrahedra,
-            double* weights) {
+void locate(const mgdt_triangulation* t, int64_t n, const double* xyz,
+            const StageProgress& progress, Int* tetrahedra, double* weights) {
     answer(t, n, xyz, tetrahedra, [&](Team& team, const PointSet& places) {
         require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->object)), t);
-        locate_points(view_of(team, t, true), locator(t), places, tetrahedra, weights);
+        locate_points(view_of(team, t, true), locator(t), places, progress, tetrahedra, weights);
     });
 }
 
 template <class Int>
-void nearest(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* vertices) {
+void nearest(const mgdt_triangulation* t, int64_t n, const double* xyz,
+             const StageProgress& progress, Int* vertices) {
     answer(t, n, xyz, vertices, [&](Team& team, const PointSet& places) {
         require_range<Int>(static_cast<std::uint64_t>(point_count(t->object)), t);
-        nearest_vertices(view_of(team, t, false), locator(t), places, vertices);
+        nearest_vertices(view_of(team, t, false), locator(t), places, progress, vertices);
     });
 }
 
@@ -79,43 +86,49 @@ void traverse(const mgdt_triangulation* t, const double* a, const double* b, int
 
 extern "C" mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xyz,
                                    int64_t* tetrahedron) {
-    return guard_short(t, [&] { locate(t, 1, xyz, tetrahedron, nullptr); });
+    return guard_short(t, [&] { locate(t, 1, xyz, unwatched(t), tetrahedron, nullptr); });
 }
 
 extern "C" mgdt_status mgdt_locate_i32(const mgdt_triangulation* t, const double* xyz,
                                        int32_t* tetrahedron) {
-    return guard_short(t, [&] { locate(t, 1, xyz, tetrahedron, nullptr); });
+    return guard_short(t, [&] { locate(t, 1, xyz, unwatched(t), tetrahedron, nullptr); });
 }
 
 extern "C" mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
                                           int64_t* tetrahedra, double* weights) {
-    return guard(t, [&] { locate(t, n, xyz, tetrahedra, weights); });
+    return guard_long(t, [&](const StageProgress& progress) {
+        locate(t, n, xyz, progress, tetrahedra, weights);
+    });
 }
 
 extern "C" mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t n,
                                               const double* xyz, int32_t* tetrahedra,
                                               double* weights) {
-    return guard(t, [&] { locate(t, n, xyz, tetrahedra, weights); });
+    return guard_long(t, [&](const StageProgress& progress) {
+        locate(t, n, xyz, progress, tetrahedra, weights);
+    });
 }
 
 extern "C" mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz,
                                            int64_t* vertex) {
-    return guard_short(t, [&] { nearest(t, 1, xyz, vertex); });
+    return guard_short(t, [&] { nearest(t, 1, xyz, unwatched(t), vertex); });
 }
 
 extern "C" mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation* t, const double* xyz,
                                                int32_t* vertex) {
-    return guard_short(t, [&] { nearest(t, 1, xyz, vertex); });
+    return guard_short(t, [&] { nearest(t, 1, xyz, unwatched(t), vertex); });
 }
 
 extern "C" mgdt_status mgdt_nearest_vertices(const mgdt_triangulation* t, int64_t n,
                                              const double* xyz, int64_t* vertices) {
-    return guard(t, [&] { nearest(t, n, xyz, vertices); });
+    return guard_long(
+        t, [&](const StageProgress& progress) { nearest(t, n, xyz, progress, vertices); });
 }
 
 extern "C" mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int64_t n,
                                                  const double* xyz, int32_t* vertices) {
-    return guard(t, [&] { nearest(t, n, xyz, vertices); });
+    return guard_long(
+        t, [&](const StageProgress& progress) { nearest(t, n, xyz, progress, vertices); });
 }
 
 extern "C" mgdt_status mgdt_traverse_segment(const mgdt_triangulation* t, const double* a,
@@ -132,11 +145,11 @@ extern "C" mgdt_status mgdt_traverse_segment_i32(const mgdt_triangulation* t, co
 }
 
 extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
-    return guard(t, [&] {
+    return guard_long(t, [&](StageProgress& progress) {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
         Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), 65536));
         check_triangulation(team, t->object.check_input(), t->object.allocator(), level,
-                            t->object.settings().index_base);
+                            t->object.settings().index_base, progress);
     });
 }

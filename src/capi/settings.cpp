@@ -106,6 +106,12 @@ extern "C" mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on) {
     return guard(t, [&] { t->object.set_compact(flag(on, "compact storage")); });
 }
 
+extern "C" mgdt_status mgdt_set_read_progress(mgdt_triangulation* t, int32_t on) {
+    return guard(t, [&] {
+        t->object.settings().watches_reads = flag(on, "the progress of calls that read");
+    });
+}
+
 extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user) {
     return set_progress(t, fn, user);
 }
@@ -177,6 +183,10 @@ extern "C" mgdt_status mgdt_get_memory_limit(const mgdt_triangulation* t, int64_
 
 extern "C" mgdt_status mgdt_get_compact(const mgdt_triangulation* t, int32_t* on) {
     return get(t, on, [](const Triangulation& c) { return !c.mesh().tetrahedra.has_spheres(); });
+}
+
+extern "C" mgdt_status mgdt_get_read_progress(const mgdt_triangulation* t, int32_t* on) {
+    return get(t, on, [](const Triangulation& c) { return c.settings().watches_reads; });
 }
 
 extern "C" mgdt_status mgdt_get_canonical_output(const mgdt_triangulation* t, int32_t* on) {

@@ -10,15 +10,13 @@ using namespace mgdt;
 namespace {
 
 void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
-           VoronoiDiagram& diagram) {
+           StageProgress& progress, VoronoiDiagram& diagram) {
     const std::size_t n = require_planes(n_planes, planes);
     const auto points = static_cast<std::size_t>(point_count(t->object));
     if (t->object.vertex_count() > 0) {
         with_cell_view(t, diagram.areas.allocator(), n, planes,
                        [&](const ExportView& view, const Region& region, std::size_t far) {
-                           const StopFlag::Call call(t->object.stop());
-                           build_voronoi(view, region, points, far, t->object.stop().request(),
-                                         diagram);
+                           build_voronoi(view, region, points, far, progress, diagram);
                        });
     } else {
         make_empty(points, diagram);
@@ -124,11 +122,14 @@ extern "C" mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t 
                                            const double* planes, mgdt_voronoi** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    return guard(t, [&] {
-        *out = new_result<mgdt_voronoi>(t->object, [&](Result<VoronoiDiagram>& made) {
-            build(t, n_planes, planes, made.value);
-        });
-    });
+    return guard_long(
+        t,
+        [&](StageProgress& progress) {
+            *out = new_result<mgdt_voronoi>(t->object, [&](Result<VoronoiDiagram>& made) {
+                build(t, n_planes, planes, progress, made.value);
+            });
+        },
+        Watched::always);
 }
 
 extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {

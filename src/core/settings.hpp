@@ -12,6 +12,8 @@
 namespace mgdt {
 
 struct Settings : CallSettings {
+    Settings() noexcept { watches_reads = false; }  // as in 1.0 to 1.2
+
     std::int32_t scheme = MGDT_ORDER_AUTO;
     OrderParameters order;
     bool canonical_output = false;

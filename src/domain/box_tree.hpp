@@ -7,7 +7,7 @@
 
 #include "parallel/team.hpp"
 #include "platform/memory.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -43,7 +43,7 @@ class BoxTree {
     // at the same time. The time is usually O(n) and that of the calls. It may be more where large
     // parts of the tree overlap although their boxes do not, as for crossing layers of wires.
     template <class F>
-    void for_each_pair(Team& team, F f) const;
+    void for_each_pair(Team& team, StageProgress& progress, F f) const;
 
     // Calls f(i) for each box i that overlaps a given one.
     template <class F>
@@ -103,7 +103,7 @@ void BoxTree::for_each_at(const BoundingBox& box, F f) const {
 }
 
 template <class F>
-void BoxTree::for_each_pair(Team& team, F f) const {
+void BoxTree::for_each_pair(Team& team, StageProgress& progress, F f) const {
     if (nodes_.empty()) return;
     // Divides the pairs of nodes, level by level, until there are enough for the team.
     constexpr std::size_t enough = 4096;
@@ -126,6 +126,7 @@ void BoxTree::for_each_pair(Team& team, F f) const {
             Buffer<Pair> stack(allocator_);
             std::size_t steps = 0;
             for (std::size_t p = begin; p < end; ++p) {
+                progress.step(p, begin, end, member);
                 stack.push_back(pairs[p]);
                 while (!stack.empty()) {
                     stop_.poll_in_step(steps++);

@@ -61,18 +61,23 @@ void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& m
 
 void Domain::validate() {
     const StopFlag::Call call(stop_);
+    StageProgress progress(settings_, stop_);
     forget_results();
+    progress.enter(0, 0.1);
     const Complex complex = make_complex(input_, allocator_);
-    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
+    progress.enter(0.1, 0.95);
+    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
+    progress.enter(0.95, 1);
     open_edges_ = mgdt::open_edges(complex, allocator_);
+    progress.finish();
 }
 
 // Writes the pairs that offend as the caller's items, and throws if there are any.
-void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const char* where) {
+void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const char* where,
+                           StageProgress& progress) {
     const Boundary& boundary = complex.boundary;
     Team team(thread_count(settings_));
-    const Buffer<OffendingPair> pairs =
-        offending_pairs(boundary, team, allocator_, stop_.request());
+    const Buffer<OffendingPair> pairs = offending_pairs(boundary, team, allocator_, progress);
     const auto item = [&](std::size_t i) -> Offence::Item {
         const std::size_t triangles = boundary.triangles.size() / 3,
                           segments = boundary.segments.size() / 2;
@@ -126,13 +131,13 @@ void Domain::fail_open() const {
          number(e.facet), number(e.ends[0]), number(e.ends[1]), open_edges_.size());
 }
 
-void Domain::check(const DomainMesh& mesh) const {
-    compare_mesh(input_, mesh, settings_.index_base, allocator_);
+void Domain::check(const DomainMesh& mesh, StageProgress& progress) const {
+    compare_mesh(input_, mesh, settings_.index_base, allocator_, progress);
 }
 
 // Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
 // the grid, and is refused.
-void Domain::round(const RoundingGrid& grid, Complex& complex) {
+void Domain::round(const RoundingGrid& grid, Complex& complex, StageProgress& progress) {
     Buffer<double>& points = complex.boundary.points;
     bool is_changed = false;
     for (double& x : points) {
@@ -148,7 +153,7 @@ void Domain::round(const RoundingGrid& grid, Complex& complex) {
     char where[80];
     std::snprintf(where, sizeof where,
                   " when points are rounded to 2^-%d of the largest coordinate", grid.bits());
-    require_valid(complex, MGDT_ERR_RESOLUTION, where);
+    require_valid(complex, MGDT_ERR_RESOLUTION, where, progress);
 }
 
 void Domain::build(DomainMesh& mesh) {
@@ -160,9 +165,10 @@ void Domain::build(DomainMesh& mesh) {
 }
 
 void Domain::run(StageProgress& progress, DomainMesh& mesh) {
-    progress.enter(0, 0);
+    progress.enter(0, 0.05);
     Complex complex = make_complex(input_, allocator_);
-    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
+    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
+    progress.leave_behind(0.05);
     open_edges_ = mgdt::open_edges(complex, allocator_);
     const auto try_again = [&](int bits, bool avoids_short_parts, bool may_take_long) {
         return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts, may_take_long,
@@ -227,7 +233,7 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     const StopRequest stop = stop_.request();
     mesh = DomainMesh(mesh.points.allocator());
     progress.enter(0, 0.1);
-    round(grid, complex);
+    round(grid, complex, progress);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     mesh.planar_facets = facets.facets.size();
 
@@ -240,7 +246,7 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     points.resize(complex.boundary.points.size());
     std::copy_n(complex.boundary.points.begin(), points.size(), points.begin());
     progress.enter(0.1, 0.4);
-    progress.watch(triangulation, 0, 1, [&] {
+    progress.watch(triangulation.settings(), 0, 1, [&] {
         const double* const axis[3] = {points.begin(), points.begin() + 1, points.begin() + 2};
         triangulation.insert(points.size() / 3, axis, 3);
     });

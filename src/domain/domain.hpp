@@ -8,10 +8,10 @@
 
 #include <optional>
 
-#include "core/stage_progress.hpp"
 #include "domain/boundary_edges.hpp"
 #include "domain/domain_mesh.hpp"
 #include "domain/validation.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -71,7 +71,7 @@ class Domain {
     // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, Error and std::bad_alloc.
     void build(DomainMesh& mesh);
     // Throws MGDT_ERR_CHECK_FAILED if the mesh is not one of the domain.
-    void check(const DomainMesh& mesh) const;
+    void check(const DomainMesh& mesh, StageProgress& progress) const;
     // Removes everything but the settings.
     void clear() noexcept;
     StopFlag& stop() const noexcept { return stop_; }
@@ -87,10 +87,11 @@ class Domain {
   private:
     void forget_results() noexcept;
     void run(StageProgress& progress, DomainMesh& mesh);
-    void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
+    void require_valid(const Complex& complex, mgdt_status otherwise, const char* where,
+                       StageProgress& progress);
     [[noreturn]] void fail_open() const;
     void require_all_used(const DomainMesh& mesh) const;
-    void round(const RoundingGrid& grid, Complex& complex);
+    void round(const RoundingGrid& grid, Complex& complex, StageProgress& progress);
     // A segment that could not be divided often enough, or not soon enough.
     struct StuckSegment {
         std::uint32_t ends[2];

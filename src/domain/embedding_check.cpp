@@ -79,10 +79,12 @@ class Sheets {
 
 class EmbeddingCheck {
   public:
-    EmbeddingCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator)
-        : mesh_(mesh), allocator_(allocator), base_(base) {}
+    EmbeddingCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator,
+                   StageProgress& progress)
+        : mesh_(mesh), allocator_(allocator), base_(base), progress_(progress) {}
 
     void run() {
+        progress_.enter(0, 0.2);
         Buffer<Simplex> outside(allocator_);
         collect_outside(outside);
         Buffer<BoundingBox> boxes(allocator_);
@@ -91,15 +93,18 @@ class EmbeddingCheck {
             boxes.push_back(box_of(simplex(v, 3)));
             boxes.back().include(BoundingBox(exact(v[3])));
         }
-        const Atomic<bool> never{false};
-        const BoxTree tree(allocator_, boxes, StopRequest(never));
-        for (const Simplex& s : outside)
+        const BoxTree tree(allocator_, boxes, progress_.stop_request());
+        progress_.enter(0.2, 1);
+        for (std::size_t i = 0; i < outside.size(); ++i) {
+            progress_.step(i, 0, outside.size());
+            const Simplex& s = outside[i];
             tree.for_each_at(box_of(s), [&](std::uint32_t t) {
                 if (is_met(t, s))
                     fail(MGDT_ERR_CHECK_FAILED,
                          "tetrahedron %lld meets the surroundings of the domain at point %lld",
                          number(t), number(s.number[0]));
             });
+        }
     }
 
   private:
@@ -130,6 +135,7 @@ class EmbeddingCheck {
         Buffer<std::uint8_t> is_edge(allocator_);
         is_edge.resize(segments.size(), std::uint8_t{0});
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); t += 4) {
+            progress_.step(t, 0, mesh_.tetrahedra.size());
             const std::uint32_t* const v = mesh_.tetrahedra.begin() + t;
             for (int i = 0; i < 4; ++i) {
                 is_corner[v[i]] = 1;
@@ -193,12 +199,14 @@ class EmbeddingCheck {
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int32_t base_;
+    StageProgress& progress_;
 };
 
 }  // namespace
 
-void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator) {
-    EmbeddingCheck(mesh, index_base, allocator).run();
+void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+                     StageProgress& progress) {
+    EmbeddingCheck(mesh, index_base, allocator, progress).run();
 }
 
 }  // namespace mgdt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "domain/domain_mesh.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -12,6 +13,7 @@ namespace mgdt {
 // tetrahedron does, tetrahedra do not overlap, and all points and listed edges that are inside of
 // the domain are in the mesh (docs/theory.md, "Meshes of domains"). The tetrahedra are positive,
 // and the faces are those at which they end.
-void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator);
+void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+                     StageProgress& progress);
 
 }  // namespace mgdt

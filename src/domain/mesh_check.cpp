@@ -28,17 +28,23 @@ static_assert(std::is_trivially_copyable_v<Triple>);
 
 class MeshCheck {
   public:
-    MeshCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator)
-        : mesh_(mesh), allocator_(allocator), base_(base), faces_(allocator) {}
+    MeshCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator,
+              StageProgress& progress)
+        : mesh_(mesh), allocator_(allocator), base_(base), progress_(progress), faces_(allocator) {}
 
     void run() {
+        progress_.enter(0, 0.1);
         check_sizes();
         check_points();
         check_edges();
+        progress_.enter(0.1, 0.25);
         check_tetrahedra();
+        progress_.enter(0.25, 0.35);
         check_faces();
+        progress_.enter(0.35, 0.7);
         check_neighbors();
-        check_embedding(mesh_, static_cast<std::int32_t>(base_), allocator_);
+        StageProgress last = progress_.within(0.7, 1);
+        check_embedding(mesh_, static_cast<std::int32_t>(base_), allocator_, last);
     }
 
   private:
@@ -84,6 +90,7 @@ class MeshCheck {
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
         }
         for (std::size_t i = 0; i < mesh_.steiner_parameters.size(); ++i) {
+            progress_.step(i, 0, mesh_.steiner_parameters.size());
             const std::uint32_t* const ends = mesh_.steiner_edges.begin() + 2 * i;
             const double t = mesh_.steiner_parameters[i];
             const auto p = static_cast<std::uint32_t>(given + i);
@@ -114,6 +121,7 @@ class MeshCheck {
     void check_tetrahedra() const {
         const std::size_t points = mesh_.points.size() / 3;
         for (std::size_t t = 0; t < mesh_.tetrahedron_count(); ++t) {
+            progress_.step(t, 0, mesh_.tetrahedron_count());
             const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * t;
             if (std::any_of(v, v + 4, [&](std::uint32_t p) { return p >= points; }))
                 fail(MGDT_ERR_CHECK_FAILED, "tetrahedron %lld has a corner that is no point",
@@ -130,6 +138,7 @@ class MeshCheck {
     void check_faces() {
         const std::size_t points = mesh_.points.size() / 3;
         for (std::uint32_t f = 0; f < mesh_.face_facets.size(); ++f) {
+            progress_.step(f, 0, mesh_.face_facets.size());
             const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{f};
             if (std::any_of(v, v + 3, [&](std::uint32_t p) { return p >= points; }))
                 fail(MGDT_ERR_CHECK_FAILED, "face %lld has a corner that is no point", number(f));
@@ -170,7 +179,8 @@ class MeshCheck {
 
     void check_neighbors() const {
         std::size_t sides = 0, ends = 0;
-        for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
+        for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t) {
+            progress_.step(t, 0, mesh_.tetrahedron_count());
             for (unsigned i = 0; i < 4; ++i) {
                 const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
                 const unsigned char* const f = outer_face[i];
@@ -192,6 +202,7 @@ class MeshCheck {
                 }
                 check_neighbor(t, i, next, face != none);
             }
+        }
         for (const std::uint32_t t : mesh_.face_tetrahedra) ends += t != none ? 1 : 0;
         if (sides != ends)
             fail(MGDT_ERR_CHECK_FAILED, "%zu faces are at tetrahedra, %zu are listed", sides, ends);
@@ -226,13 +237,15 @@ class MeshCheck {
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int64_t base_;
+    StageProgress& progress_;
     Buffer<Triple> faces_;  // the listed faces, sorted
 };
 
 }  // namespace
 
-void check_mesh(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator) {
-    MeshCheck(mesh, index_base, allocator).run();
+void check_mesh(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+                StageProgress& progress) {
+    MeshCheck(mesh, index_base, allocator, progress).run();
 }
 
 }  // namespace mgdt

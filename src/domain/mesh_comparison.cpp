@@ -29,23 +29,28 @@ struct DirectedEdge {
 class MeshComparison {
   public:
     MeshComparison(const DomainInput& input, const DomainMesh& mesh, std::int32_t base,
-                   Allocator& allocator)
+                   Allocator& allocator, StageProgress& progress)
         : mesh_(mesh),
           allocator_(allocator),
           base_(base),
           input_(input),
           complex_(make_complex(input, allocator)),
           grid_(input.points, mesh.grid.bits()),
-          facets_(allocator) {}
+          facets_(allocator),
+          progress_(progress) {}
 
     void run() {
         for (double& x : complex_.boundary.points) x = grid_.round(x);
+        progress_.enter(0, 0.2);
         facets_ = find_planar_facets(complex_.boundary, complex_.markers, allocator_);
         check_points();
         check_sources();
         if (is_flat()) return;
+        progress_.enter(0.2, 0.7);
         check_facets();
+        progress_.enter(0.7, 0.8);
         check_segments();
+        progress_.enter(0.8, 1);
         check_places();
     }
 
@@ -117,6 +122,7 @@ class MeshComparison {
         for (std::uint32_t t = 0; t < facets_.of_triangle.size(); ++t) {
             const std::uint32_t* const v = triangles.begin() + 3 * std::size_t{t};
             const std::uint32_t corner[3] = {index(v[0]), index(v[1]), index(v[2])};
+            progress_.step(t, 0, facets_.of_triangle.size());
             const std::uint32_t f = representative(facets_.of_triangle[t], planar);
             const int sign = direction(f, corner);
             if (sign == 0) fail(MGDT_ERR_INTERNAL, "the triangles of a facet are not in one plane");
@@ -124,6 +130,7 @@ class MeshComparison {
         }
         for (std::uint32_t i = 0; i < mesh_.face_facets.size(); ++i) {
             const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{i};
+            progress_.stop_request().poll_in_step(i);
             const std::uint32_t f = facet_of_face(i, planar);
             if (f == none) fail(MGDT_ERR_CHECK_FAILED, "face %lld is on no facet", number(i));
             for (int k = 0; k < 3; ++k) edges.push_back(DirectedEdge(f, v[k], v[(k + 1) % 3], -1));
@@ -253,6 +260,7 @@ class MeshComparison {
         std::sort(given.begin(), given.end());
         std::size_t steiner = 0;
         for (std::size_t s = 0; s < facets_.segments.size(); s += 2) {
+            progress_.step(s, 0, facets_.segments.size());
             const std::uint32_t a = index(facets_.segments[s]), b = index(facets_.segments[s + 1]);
             const Part whole = part(a, b, 0);
             const Part* const of = std::lower_bound(given.begin(), given.end(), whole);
@@ -305,6 +313,7 @@ class MeshComparison {
     void for_each_at(const DomainInput::Place& place, F f) const {
         double x[3];
         if (!grid_.scale_place(place.x, x)) return;
+        progress_.stop_request().poll();
         for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
             if (mesh_.side(t, x) >= 0) f(t);
     }
@@ -317,13 +326,14 @@ class MeshComparison {
     RoundingGrid grid_;
     PlanarFacets facets_;
     Buffer<Place> places_{allocator_};
+    StageProgress& progress_;
 };
 
 }  // namespace
 
 void compare_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                  Allocator& allocator) {
-    MeshComparison(input, mesh, index_base, allocator).run();
+                  Allocator& allocator, StageProgress& progress) {
+    MeshComparison(input, mesh, index_base, allocator, progress).run();
 }
 
 }  // namespace mgdt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "domain/domain_mesh.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -14,6 +15,6 @@ namespace mgdt {
 // The input is valid, and check_mesh() has found no defect. Which of the parts that facets enclose
 // are filled is not found anew.
 void compare_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                  Allocator& allocator);
+                  Allocator& allocator, StageProgress& progress);
 
 }  // namespace mgdt

@@ -4,12 +4,13 @@
 
 #include "domain/domain_mesh.hpp"
 #include "parallel/team.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/tetrahedron_measures.hpp"
 
 namespace mgdt {
 
 // Writes a measure of each tetrahedron.
 void measure_tetrahedra(const DomainMesh& mesh, TetrahedronMeasure measure, Team& team,
-                        Allocator& allocator, double* x);
+                        Allocator& allocator, StageProgress& progress, double* x);
 
 }  // namespace mgdt

@@ -185,7 +185,7 @@ class Splitting {
         // The number of rounds is not known, so each takes a part of what is left.
         reached_ += (end_of_stage - reached_) / 16;
         progress_.enter(reached_, reached_);
-        progress_.watch(triangulation_, 0, 1,
+        progress_.watch(triangulation_.settings(), 0, 1,
                         [&] { triangulation_.insert(splits_.size(), axis, 3); });
     }
 

@@ -2,9 +2,9 @@
 // Divides the segments of a boundary until all parts are edges of the Delaunay triangulation.
 #pragma once
 
-#include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
 #include "domain/divided_segment.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 

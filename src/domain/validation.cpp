@@ -24,7 +24,7 @@ bool are_equal_triangles(const Simplex& a, const Simplex& b) {
 }  // namespace
 
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
-                                      const StopRequest& stop) {
+                                      StageProgress& progress) {
     const std::size_t n = boundary.size();
     constexpr std::size_t most = 0x7FFFFFFFu, simplices_per_thread = 4096;
     if (n > most)
@@ -38,8 +38,8 @@ Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allo
         }
     });
     PerMember<Buffer<OffendingPair>> found(team, allocator, std::ref(allocator));
-    const BoxTree tree(allocator, boxes, stop);
-    tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
+    const BoxTree tree(allocator, boxes, progress.stop_request());
+    tree.for_each_pair(team, progress, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
         if ((flat[i] | flat[j]) != 0) return;
         const Simplex a = boundary.simplex(i), b = boundary.simplex(j);
         if (are_equal_triangles(a, b) || !meet_in_common_face(a, b))

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "domain/boundary.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -22,6 +22,6 @@ struct OffendingPair {
 // segments that are edges of triangles pass. The time is that of BoxTree and of a test for each
 // pair whose boxes overlap.
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
-                                      const StopRequest& stop);
+                                      StageProgress& progress);
 
 }  // namespace mgdt

@@ -9,6 +9,7 @@
 #include "mesh/facet_turns.hpp"
 #include "parallel/atomic_array.hpp"
 #include "parallel/disjoint_sets.hpp"
+#include "parallel/watched_split.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/facet_sphere.hpp"
 #include "query/graphs.hpp"
@@ -28,17 +29,17 @@ double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
 }
 
 // The alpha of the tetrahedron in each slot; infinite where the slot has no finite tetrahedron.
-Buffer<double> alphas_by_slot(const ExportView& view) {
+Buffer<double> alphas_by_slot(const ExportView& view, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
-    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t id = begin; id < end; ++id) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            alphas[id] =
-                                t.is_dead() || t.is_ghost() ? infinite_alpha : alpha_of(mesh, t);
-                        }
-                    });
+    watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t id = begin; id < end; ++id) {
+                          const Tetrahedron& t = mesh.tetrahedra[id];
+                          alphas[id] =
+                              t.is_dead() || t.is_ghost() ? infinite_alpha : alpha_of(mesh, t);
+                      }
+                  });
     return alphas;
 }
 
@@ -87,19 +88,20 @@ void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::s
 
 }  // namespace
 
-void export_tetrahedron_alphas(const ExportView& view, double* out) {
+void export_tetrahedron_alphas(const ExportView& view, StageProgress& progress, double* out) {
     constexpr std::size_t stretches_per_thread = 64;
-    view.team.split(view.numbering->stretches(), stretches_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        view.numbering->for_each(begin, end, [&](TetId id, std::size_t number) {
-                            out[number] = alpha_of(view.mesh, view.mesh.tetrahedra[id]);
-                        });
-                    });
+    watched_split(view.team, progress, view.numbering->stretches(), stretches_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      view.numbering->for_each(begin, end, [&](TetId id, std::size_t number) {
+                          out[number] = alpha_of(view.mesh, view.mesh.tetrahedra[id]);
+                      });
+                  });
 }
 
-void export_facet_alphas(const ExportView& view, double* out) {
+void export_facet_alphas(const ExportView& view, StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
-    const Buffer<double> alphas = alphas_by_slot(view);
+    progress.enter(0, 0.4);
+    const Buffer<double> alphas = alphas_by_slot(view, progress);
     const auto write = [&](TetId id, unsigned face, double alpha) {
         const Tetrahedron& t = mesh.tetrahedra[id];
         if (t.is_ghost()) return;
@@ -108,16 +110,17 @@ void export_facet_alphas(const ExportView& view, double* out) {
         while (positions[at] != face) ++at;
         out[4 * static_cast<std::size_t>(view.numbering->number(id)) + at] = alpha;
     };
-    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for_each_facet(
-                            view, alphas, begin, end,
-                            [&](TetId id, unsigned face, const VertexId(&)[3], double alpha) {
-                                write(id, face, alpha);
-                                const FacetCode beyond = mesh.tetrahedra[id].n[face];
-                                write(tetrahedron_of(beyond), face_of(beyond), alpha);
-                            });
-                    });
+    progress.enter(0.4, 1);
+    watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for_each_facet(
+                          view, alphas, begin, end,
+                          [&](TetId id, unsigned face, const VertexId(&)[3], double alpha) {
+                              write(id, face, alpha);
+                              const FacetCode beyond = mesh.tetrahedra[id].n[face];
+                              write(tetrahedron_of(beyond), face_of(beyond), alpha);
+                          });
+                  });
 }
 
 namespace {
@@ -139,10 +142,12 @@ MGDT_NOT_INLINE void write_by_index(const ExportView& view, const Buffer<VertexI
 
 }  // namespace
 
-void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out) {
+void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map,
+                        StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
     // The edges are listed by vertex numbers, which are near each other in memory for near
     // vertices.
+    progress.enter(0, 0.2);
     const EdgeLists edges(view, mesh.vertices.size(),
                           edges_from_lesser(mesh, [](VertexId v) { return v; }));
     struct List {
@@ -167,12 +172,14 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
     };
     AtomicArray<std::uint64_t> least(view.allocator, edges.size());
     AtomicArray<std::uint8_t> is_attached(view.allocator, edges.size());
-    view.team.split(edges.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t e = begin; e < end; ++e)
-                            least[e].store(bits_of(infinite_alpha), std::memory_order_relaxed);
-                    });
-    const Buffer<double> alphas = alphas_by_slot(view);
+    progress.enter(0.2, 0.22);
+    watched_split(view.team, progress, edges.size(), slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t e = begin; e < end; ++e)
+                          least[e].store(bits_of(infinite_alpha), std::memory_order_relaxed);
+                  });
+    progress.enter(0.22, 0.4);
+    const Buffer<double> alphas = alphas_by_slot(view, progress);
     const auto add_facet = [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
         const unsigned obtuse =
             obtuse_corner({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
@@ -186,10 +193,11 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
             }
         }
     };
-    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for_each_facet(view, alphas, begin, end, add_facet);
-                    });
+    progress.enter(0.4, 0.9);
+    watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for_each_facet(view, alphas, begin, end, add_facet);
+                  });
     const auto alpha_at = [&](std::size_t position, VertexId a, VertexId b) {
         double alpha;
         const std::uint64_t bits = least[position].load(std::memory_order_relaxed);
@@ -197,6 +205,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
         if (is_attached[position].load(std::memory_order_relaxed) != 0) return alpha;
         return std::min(alpha, edge_radius2(mesh.point(a), mesh.point(b), mesh.scale));
     };
+    progress.enter(0.9, 1);
     if (!view.canonical) {
         // The export is in the order of these lists.
         edges.write(
@@ -215,14 +224,18 @@ void export_vertex_alphas(const ExportView& view, std::size_t points, double* ou
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v) out[view.mesh.vertices[v].index] = 0;
 }
 
-Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
+Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2,
+                                    StageProgress& progress) {
     const Mesh& mesh = view.mesh;
-    const Buffer<double> alphas = alphas_by_slot(view);
+    progress.enter(0, 0.7);
+    const Buffer<double> alphas = alphas_by_slot(view, progress);
     struct Facet {
         std::uint32_t v[3];
     };
     Buffer<Facet> facets(view.allocator);
+    progress.enter(0.7, 1);
     for (TetId id = 0; id < mesh.tetrahedra.size(); ++id) {
+        progress.step(id, 0, mesh.tetrahedra.size());
         const Tetrahedron& t = mesh.tetrahedra[id];
         if (t.is_dead() || t.is_ghost() || !(alphas[id] <= alpha2)) continue;
         for (unsigned face = 0; face < 4; ++face) {
@@ -246,20 +259,29 @@ Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
     return surface;
 }
 
-double solid_alpha(const ExportView& view) {
+double solid_alpha(const ExportView& view, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
-    const Buffer<double> alphas = alphas_by_slot(view);
+    progress.enter(0, 0.4);
+    const Buffer<double> alphas = alphas_by_slot(view, progress);
     Buffer<TetId> order(view.allocator);
     order.reserve(mesh.finite_count());
     for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
         if (!mesh.tetrahedra[id].is_dead() && !mesh.tetrahedra[id].is_ghost()) order.push_back(id);
-    std::sort(order.begin(), order.end(), [&](TetId a, TetId b) { return alphas[a] < alphas[b]; });
+    progress.enter(0.4, 0.8);
+    std::size_t steps = 0;
+    const StopRequest stop = progress.stop_request();
+    std::sort(order.begin(), order.end(), [&](TetId a, TetId b) {
+        stop.poll_in_step(steps++);
+        return alphas[a] < alphas[b];
+    });
+    progress.enter(0.8, 1);
     DisjointSets parts(view.allocator, mesh.tetrahedra.size());
     Buffer<bool> is_in(view.allocator), is_reached(view.allocator);
     is_in.resize(mesh.tetrahedra.size(), false);
     is_reached.resize(mesh.vertices.size(), false);
     std::size_t solids = 0, vertices_left = mesh.vertices.size() - 1;
     for (std::size_t k = 0; k < order.size(); ++k) {
+        progress.step(k, 0, order.size());
         const TetId id = order[k];
         const Tetrahedron& t = mesh.tetrahedra[id];
         is_in[id] = true;

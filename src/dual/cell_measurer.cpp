@@ -2,6 +2,7 @@
 #include "dual/cell_measurer.hpp"
 
 #include "dual/exact_measures.hpp"
+#include "parallel/watched_split.hpp"
 
 namespace mgdt {
 
@@ -19,18 +20,18 @@ void CellMeasurer::measure(const Mesh& mesh, VertexId v, TetId first, const Regi
         ExactMeasures::measure(faces_, mesh.point(v), mesh.scale, measure, out);
 }
 
-void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
+void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     constexpr std::size_t min_slots_per_thread = 262144;
-    view.team.split(mesh.tetrahedra.size(), min_slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t id = begin; id < end; ++id) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            if (t.is_dead()) continue;
-                            for (const VertexId v : t.v)
-                                first[v].store(static_cast<TetId>(id), std::memory_order_relaxed);
-                        }
-                    });
+    watched_split(view.team, progress, mesh.tetrahedra.size(), min_slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t id = begin; id < end; ++id) {
+                          const Tetrahedron& t = mesh.tetrahedra[id];
+                          if (t.is_dead()) continue;
+                          for (const VertexId v : t.v)
+                              first[v].store(static_cast<TetId>(id), std::memory_order_relaxed);
+                      }
+                  });
 }
 
 }  // namespace mgdt

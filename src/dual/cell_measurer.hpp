@@ -5,6 +5,7 @@
 #include "dual/cell_faces.hpp"
 #include "dual/cell_measures.hpp"
 #include "parallel/atomic_array.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 
 namespace mgdt {
@@ -26,6 +27,6 @@ class CellMeasurer {
 };
 
 // Finds a tetrahedron for each vertex. Which one it is may depend on the threads.
-void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first);
+void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first, StageProgress& progress);
 
 }  // namespace mgdt

@@ -17,14 +17,17 @@ constexpr std::size_t min_vertices_per_thread = 4096;
 // Writes the volumes that the passes over the tetrahedra give. Measures a cell on its own if the
 // region may cut the cell, or if the passes leave its volume undecided.
 void export_volumes(const ExportView& view, const Region& region, std::size_t points,
-                    AtomicArray<TetId>& first, double* x) {
+                    AtomicArray<TetId>& first, StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
-    VolumePass pass(view);
+    StageProgress of_pass = progress.within(0.1, 0.7);
+    VolumePass pass(view, of_pass);
+    progress.enter(0.7, 1);
     view.team.split(
         mesh.vertices.size() - 1, min_vertices_per_thread,
-        [&](std::size_t begin, std::size_t end, unsigned) {
+        [&](std::size_t begin, std::size_t end, unsigned member) {
             CellMeasurer measurer(view.allocator);
             for (std::size_t i = begin; i < end; ++i) {
+                progress.step(i, begin, end, member);
                 const auto v = static_cast<VertexId>(i + 1);
                 if (mesh.vertices[v].index >= points) continue;
                 double& out = x[mesh.vertices[v].index];
@@ -46,17 +49,23 @@ void export_volumes(const ExportView& view, const Region& region, std::size_t po
 }  // namespace
 
 void export_measures(const ExportView& view, const Region& region, Measure measure,
-                     std::size_t points, double* x) {
+                     std::size_t points, StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = width_of(measure);
     std::fill_n(x, width * points, 0.0);
     AtomicArray<TetId> first(view.allocator, mesh.vertices.size());
-    find_tetrahedra(view, first);
-    if (measure == Measure::volume) return export_volumes(view, region, points, first, x);
+    progress.enter(0, 0.1);
+    find_tetrahedra(view, first, progress);
+    if (measure == Measure::volume) {
+        export_volumes(view, region, points, first, progress, x);
+        return;
+    }
+    progress.enter(0.1, 1);
     view.team.split(mesh.vertices.size() - 1, min_vertices_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
+                    [&](std::size_t begin, std::size_t end, unsigned member) {
                         CellMeasurer measurer(view.allocator);
                         for (std::size_t i = begin; i < end; ++i) {
+                            progress.step(i, begin, end, member);
                             const auto v = static_cast<VertexId>(i + 1);
                             if (mesh.vertices[v].index >= points) continue;
                             measurer.measure(mesh, v, first[v].load(std::memory_order_relaxed),

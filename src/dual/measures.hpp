@@ -3,12 +3,13 @@
 #pragma once
 
 #include "dual/cell_measures.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 
 namespace mgdt {
 
 // Writes one double per point, or three for a centroid; 0 for a point that is no vertex.
 void export_measures(const ExportView& view, const Region& region, Measure measure,
-                     std::size_t points, double* x);
+                     std::size_t points, StageProgress& progress, double* x);
 
 }  // namespace mgdt

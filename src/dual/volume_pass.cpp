@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "dual/cell_measures.hpp"
+#include "parallel/watched_split.hpp"
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
@@ -206,7 +207,7 @@ void VolumePass::add(const Mesh& mesh, std::size_t begin, std::size_t end) {
     }
 }
 
-VolumePass::VolumePass(const ExportView& view)
+VolumePass::VolumePass(const ExportView& view, StageProgress& progress)
     : exponents_(view.allocator, view.mesh.vertices.size()),
       radii_(view.allocator, view.mesh.vertices.size()),
       flags_(view.allocator, view.mesh.vertices.size()),
@@ -214,21 +215,21 @@ VolumePass::VolumePass(const ExportView& view)
       sums_(view.allocator, view.mesh.vertices.size()),
       errors_(view.allocator, view.mesh.vertices.size()) {
     if (view.team.size() == 1)
-        run<true>(view);
+        run<true>(view, progress);
     else
-        run<false>(view);
+        run<false>(view, progress);
 }
 
 template <bool alone>
-void VolumePass::run(const ExportView& view) {
+void VolumePass::run(const ExportView& view, StageProgress& progress) {
     constexpr std::size_t slots_per_thread = 16384;
     const std::size_t slots = view.mesh.tetrahedra.size();
-    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        set_exponents<alone>(view.mesh, begin, end);
-    });
-    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        add<alone>(view.mesh, begin, end);
-    });
+    StageProgress first = progress.within(0, 0.3), second = progress.within(0.3, 1);
+    watched_split(
+        view.team, first, slots, slots_per_thread,
+        [&](std::size_t begin, std::size_t end) { set_exponents<alone>(view.mesh, begin, end); });
+    watched_split(view.team, second, slots, slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) { add<alone>(view.mesh, begin, end); });
 }
 
 double VolumePass::radius(VertexId v) {

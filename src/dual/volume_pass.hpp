@@ -7,13 +7,14 @@
 #pragma once
 
 #include "parallel/atomic_array.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 
 namespace mgdt {
 
 class VolumePass {
   public:
-    explicit VolumePass(const ExportView& view);
+    VolumePass(const ExportView& view, StageProgress& progress);
 
     // Whether the cell of v is unbounded.
     bool is_infinite(VertexId v) { return flags(v) & on_hull; }
@@ -34,7 +35,7 @@ class VolumePass {
     };
     static Parts parts_of(const Mesh& mesh, const Tetrahedron& t);
     template <bool alone>
-    void run(const ExportView& view);
+    void run(const ExportView& view, StageProgress& progress);
     template <bool alone>
     void set_exponents(const Mesh& mesh, std::size_t begin, std::size_t end);
     template <bool alone>

@@ -61,15 +61,17 @@ constexpr std::size_t vertices_per_thread = 1024;
 // vertex, for which `scratch` has room.
 template <class Write>
 void for_each_gradient(const ExportView& view, const Locator& where, const Values& values,
-                       Write write) {
+                       StageProgress& progress, Write write) {
     PerMember<GradientsOf> workers(view.team, view.allocator, where, values,
                                    std::ref(view.allocator));
     view.team.split(view.mesh.vertices.size() - 1, vertices_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned m) {
                         Buffer<Twofold> scratch(view.allocator);
                         scratch.resize(3 * values.fields);
-                        for (std::size_t v = begin + 1; v <= end; ++v)
-                            write(static_cast<VertexId>(v), workers[m], scratch.data());
+                        for (std::size_t v = begin; v < end; ++v) {
+                            progress.step(v, begin, end, m);
+                            write(static_cast<VertexId>(v + 1), workers[m], scratch.data());
+                        }
                     });
 }
 
@@ -179,21 +181,24 @@ class RowWriter {
 }  // namespace
 
 void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
-                 const PointSet& places, double* out) {
+                 const PointSet& places, StageProgress& progress, double* out) {
     Buffer<Twofold> gradients(view.allocator);
     // A place needs the gradients of about sixteen vertices. With 1/8 as many places as vertices,
     // each gradient is needed twice on average, so all gradients are computed in advance.
     if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
         const std::size_t width = 3 * values.fields;
         gradients.resize(width * view.mesh.vertices.size());
-        for_each_gradient(view, where, values, [&](VertexId v, GradientsOf& worker, Twofold*) {
-            worker.write(v, gradients.data() + width * v);
-        });
+        StageProgress of_gradients = progress.within(0, 0.5);
+        for_each_gradient(view, where, values, of_gradients,
+                          [&](VertexId v, GradientsOf& worker, Twofold*) {
+                              worker.write(v, gradients.data() + width * v);
+                          });
+        progress.leave_behind(0.5);
     }
     PerMember<Evaluator> workers(view.team, view.allocator, where, std::ref(view.allocator), manner,
                                  values, std::ref(gradients));
     const double* const xyz = places.axis[0];
-    locate_each(view, where, places, manner.outside == Outside::none, [&](unsigned m) {
+    locate_each(view, where, places, manner.outside == Outside::none, progress, [&](unsigned m) {
         return [&, m](std::size_t i, TetId t, TetId near) {
             workers[m].write(xyz + 3 * i, t, near, out + values.fields * i);
         };
@@ -202,7 +207,8 @@ void interpolate(const ExportView& view, const Locator& where, Manner manner, co
 
 template <class Int>
 std::size_t interpolation_weights(const ExportView& view, const Locator& where, Manner manner,
-                                  const PointSet& places, const WeightRows<Int>& rows) {
+                                  const PointSet& places, const StageProgress& progress,
+                                  const WeightRows<Int>& rows) {
     struct Row {
         std::size_t begin;
         std::uint32_t size, member;
@@ -221,7 +227,10 @@ std::size_t interpolation_weights(const ExportView& view, const Locator& where, 
         block.size = std::min(most, places.size - begin);
         for (const double*& axis : block.axis) axis += 3 * begin;
         for (unsigned m = 0; m < view.team.size(); ++m) workers[m].clear();
-        locate_each(view, where, block, manner.outside == Outside::none, [&](unsigned m) {
+        const double size = static_cast<double>(places.size);
+        const StageProgress of_block = progress.within(
+            static_cast<double>(begin) / size, static_cast<double>(begin + block.size) / size);
+        locate_each(view, where, block, manner.outside == Outside::none, of_block, [&](unsigned m) {
             return [&, m](std::size_t i, TetId t, TetId near) {
                 RowWriter& writer = workers[m];
                 const std::size_t first = writer.entries.size();
@@ -254,19 +263,23 @@ std::size_t interpolation_weights(const ExportView& view, const Locator& where, 
     return total;
 }
 template std::size_t interpolation_weights(const ExportView&, const Locator&, Manner,
-                                           const PointSet&, const WeightRows<std::int64_t>&);
+                                           const PointSet&, const StageProgress&,
+                                           const WeightRows<std::int64_t>&);
 template std::size_t interpolation_weights(const ExportView&, const Locator&, Manner,
-                                           const PointSet&, const WeightRows<std::int32_t>&);
+                                           const PointSet&, const StageProgress&,
+                                           const WeightRows<std::int32_t>&);
 
 void gradients(const ExportView& view, const Locator& where, const Buffer<VertexId>& point_map,
-               const Values& values, double* out) {
+               const Values& values, StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = 3 * values.fields;
-    for_each_gradient(view, where, values, [&](VertexId v, GradientsOf& worker, Twofold* scratch) {
-        worker.write(v, scratch);
-        double* const to = out + width * mesh.vertices[v].index;
-        for (std::size_t i = 0; i < width; ++i) to[i] = scaled(scratch[i].high, mesh.scale);
-    });
+    for_each_gradient(view, where, values, progress,
+                      [&](VertexId v, GradientsOf& worker, Twofold* scratch) {
+                          worker.write(v, scratch);
+                          double* const to = out + width * mesh.vertices[v].index;
+                          for (std::size_t i = 0; i < width; ++i)
+                              to[i] = scaled(scratch[i].high, mesh.scale);
+                      });
     constexpr std::size_t points_per_thread = 65536;
     view.team.split(point_map.size(), points_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {

@@ -36,11 +36,13 @@ std::uint64_t count_hull_facets(const Part& part, const PartTetrahedra& tetrahed
 
 }  // namespace
 
-void Parts::check(std::int32_t level) {
+void Parts::check(std::int32_t level, StageProgress& progress) {
+    const double local = collective_.local_parts();
     collective_.each_local([&](PartId p) {
+        StageProgress of_part = progress.within(0.8 * p / local, 0.8 * (p + 1) / local);
         const Triangulation& t = parts_[p].triangulation();
         Team team(t.threads_for(t.mesh().tetrahedra.size(), 65536));
-        check_triangulation(team, t.check_input(), t.allocator(), level, 0);
+        check_triangulation(team, t.check_input(), t.allocator(), level, 0, of_part);
     });
     // Finds the tetrahedra again. Fails if a part lacks a tetrahedron that two parts must have.
     Objects<PartTetrahedra> again(allocator_, parts_.size(), std::ref(allocator_));

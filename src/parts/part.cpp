@@ -69,7 +69,7 @@ void Part::insert(const PartPoint* points, std::size_t n, StageProgress& progres
     if (begin == points_.size()) return;
     const double* const x = points_[begin].x;
     const double* const axis[3] = {x, x + 1, x + 2};
-    progress.watch(*triangulation_, i, shares,
+    progress.watch(triangulation_->settings(), i, shares,
                    [&] { triangulation_->insert(points_.size() - begin, axis, 5); });
 }
 

@@ -6,10 +6,10 @@
 
 #include <optional>
 
-#include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
 #include "parts/boxes.hpp"
 #include "parts/part_point.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 

@@ -30,7 +30,7 @@ class Parts {
                     StageProgress& progress, const Visit& visit);
     // Collective. Checks the triangulation, and throws MGDT_ERR_CHECK_FAILED if it is not valid
     // (parts/check.cpp).
-    void check(std::int32_t level);
+    void check(std::int32_t level, StageProgress& progress);
 
     const Part& local(PartId i) const { return parts_[i]; }
     const Homes& homes() const { return homes_; }

@@ -165,7 +165,7 @@ void Halo::add_first_halo() {
 void Halo::insert(std::size_t first, StageProgress& progress) {
     const double* const x = point(static_cast<std::uint32_t>(first));
     const double* const axis[3] = {x, x + 1, x + 2};
-    progress.watch(*triangulation_, 0, 1,
+    progress.watch(triangulation_->settings(), 0, 1,
                    [&] { triangulation_->insert(point_count() - first, axis, 3); });
 }
 

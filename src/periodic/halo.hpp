@@ -10,12 +10,12 @@
 
 #include <optional>
 
-#include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
 #include "periodic/image_cells.hpp"
 #include "periodic/image_grid.hpp"
 #include "periodic/point_tree.hpp"
 #include "platform/number_table.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 

@@ -20,6 +20,7 @@ inline ExportView view_of_halo(const Periodic& periodic, Team& team) {
 
 // Writes one double for each point of the caller, or three for a centroid, which is relative to the
 // point; 0 for a point that has the images of an earlier one. The points have to span space.
-void export_periodic_measures(const Periodic& periodic, Measure measure, double* out);
+void export_periodic_measures(const Periodic& periodic, Measure measure, StageProgress& progress,
+                              double* out);
 
 }  // namespace mgdt

@@ -17,22 +17,25 @@ class PeriodicChecker {
 
   public:
     PeriodicChecker(const Periodic& periodic, const Buffer<Record>& tetrahedra,
-                    const StopRequest& stop)
+                    StageProgress& progress)
         : periodic_(periodic),
           tetrahedra_(tetrahedra),
-          stop_(stop),
+          progress_(progress),
           is_corner_(periodic.allocator()) {}
 
     void run() {
         is_corner_.resize(periodic_.point_count(), std::uint8_t{0});
+        progress_.enter(0, 0.2);
         for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
-            stop_.poll_in_step(i);
+            progress_.step(i, 0, tetrahedra_.size());
             check_corners(i);
         }
+        progress_.enter(0.2, 0.8);
         for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
-            stop_.poll_in_step(i);
+            progress_.step(i, 0, tetrahedra_.size());
             for (unsigned k = 0; k < 4; ++k) check_side(i, k);
         }
+        progress_.enter(0.8, 1);
         if (tetrahedra_.empty() && !points_span()) return;
         if (!tetrahedra_.empty()) check_cover();
         for (std::uint32_t p = 0; p < is_corner_.size(); ++p)
@@ -176,7 +179,7 @@ class PeriodicChecker {
         double s[3];
         lattice.coordinates(home.p[0], s);
         for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
-            stop_.poll_in_step(i);
+            progress_.step(i, 0, tetrahedra_.size());
             place(i, {}, places);
             // The multiples that can bring the tetrahedron there.
             std::int32_t first[3] = {}, last[3] = {};
@@ -205,19 +208,19 @@ class PeriodicChecker {
 
     const Periodic& periodic_;
     const Buffer<Record>& tetrahedra_;
-    const StopRequest& stop_;
+    StageProgress& progress_;
     Buffer<std::uint8_t> is_corner_;
 };
 
 }  // namespace
 
 void check_periodic(const Periodic& periodic, const Buffer<PeriodicTetrahedra::Record>& tetrahedra,
-                    const StopRequest& stop) {
-    PeriodicChecker(periodic, tetrahedra, stop).run();
+                    StageProgress& progress) {
+    PeriodicChecker(periodic, tetrahedra, progress).run();
 }
 
-void check_periodic(const Periodic& periodic, const StopRequest& stop) {
-    check_periodic(periodic, periodic.tetrahedra().records(), stop);
+void check_periodic(const Periodic& periodic, StageProgress& progress) {
+    check_periodic(periodic, periodic.tetrahedra().records(), progress);
 }
 
 }  // namespace mgdt

@@ -11,8 +11,8 @@ namespace mgdt {
 // "Periodic boxes", has a proof. The points may be fewer than span space; there are no tetrahedra
 // then.
 void check_periodic(const Periodic& periodic, const Buffer<PeriodicTetrahedra::Record>& tetrahedra,
-                    const StopRequest& stop);
+                    StageProgress& progress);
 // Checks the tetrahedra of the last build.
-void check_periodic(const Periodic& periodic, const StopRequest& stop);
+void check_periodic(const Periodic& periodic, StageProgress& progress);
 
 }  // namespace mgdt

@@ -85,7 +85,7 @@ class Extraction {
           by_vertex_(periodic.allocator()),
           ray_from_(periodic.allocator()) {}
 
-    void run(const StopRequest& stop) {
+    void run(StageProgress& progress) {
         const auto n = static_cast<std::uint32_t>(halo_.own_count());
         to_.points.resize(3 * std::size_t{n});
         to_.is_bounded.resize(n);
@@ -97,7 +97,7 @@ class Extraction {
         to_.face_begin.push_back(0);
         to_.cell_begin.push_back(0);
         for (std::uint32_t p = 0; p < n; ++p) {
-            stop.poll_in_step(p);
+            progress.step(p, 0, n);
             add_cell(p);
         }
     }
@@ -358,7 +358,7 @@ class Extraction {
 
 }  // namespace
 
-void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
+void build_periodic_diagram(const Periodic& periodic, StageProgress& progress,
                             VoronoiDiagram& diagram) {
     Team team = team_of_halo(periodic);
     const ExportView view = view_of_halo(periodic, team);
@@ -367,8 +367,10 @@ void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
     Allocator& allocator = diagram.areas.allocator();
     VoronoiDiagram whole(allocator), built(allocator);
     VoronoiSources sources(view.allocator);
-    build_voronoi(view, region, periodic.halo().point_count(), 0, stop, whole, &sources);
-    Extraction(periodic, whole, sources, built).run(stop);
+    StageProgress of_whole = progress.within(0, 0.7);
+    build_voronoi(view, region, periodic.halo().point_count(), 0, of_whole, whole, &sources);
+    progress.enter(0.7, 1);
+    Extraction(periodic, whole, sources, built).run(progress);
     diagram = std::move(built);
 }
 

@@ -13,6 +13,8 @@ struct CallSettings {
     std::int32_t threads = 1;  // 0: all cores
     mgdt_progress_fn progress = nullptr;
     void* progress_user = nullptr;
+    // Whether long calls that only read the handle report progress and can be cancelled.
+    bool watches_reads = true;
 };
 
 }  // namespace mgdt

@@ -12,23 +12,36 @@
 namespace mgdt {
 
 void Checker::run(std::int32_t level) const {
+    // The share of the combinatorial part in the time of the check.
+    const double share = level < MGDT_CHECK_GEOMETRIC ? 1 : 0.5;
+    const auto enter = [&](double from, double to) { progress_.enter(from * share, to * share); };
+    enter(0, 0.1);
     points();
     stores();
     if (mesh_.live_count() != 0) {
+        enter(0.1, 0.25);
         records();
+        enter(0.25, 0.3);
         hints();
+        enter(0.3, 0.55);
         adjacency();
+        enter(0.55, 0.7);
         connection();
+        enter(0.7, 1);
         edges();
     }
     if (level < MGDT_CHECK_GEOMETRIC) return;
+    progress_.enter(0.5, 0.55);
     coordinates();
     if (mesh_.live_count() == 0) {
         degenerate();
         return;
     }
+    progress_.enter(0.55, 0.8);
     delaunay(level >= MGDT_CHECK_CANONICAL);
+    progress_.enter(0.8, 0.9);
     spheres();
+    progress_.enter(0.9, 1);
     if (level >= MGDT_CHECK_CANONICAL) hull();
 }
 
@@ -210,14 +223,17 @@ void Checker::edges() const {
         return tetrahedron_of(code) == id;
     };
     Atomic<std::size_t> rings{0};
-    team_.split(mesh_.tetrahedra.size(), 16384, [&](std::size_t begin, std::size_t end, unsigned) {
-        std::size_t mine = 0;
-        for (TetId t = static_cast<TetId>(begin); t < end; ++t)
-            if (!tet(t).is_dead())
-                for (int c = 0; c < 4; ++c)
-                    for (int d = 0; d < c; ++d) mine += is_least(t, c, d);
-        rings += mine;
-    });
+    team_.split(mesh_.tetrahedra.size(), 16384,
+                [&](std::size_t begin, std::size_t end, unsigned member) {
+                    std::size_t mine = 0;
+                    for (TetId t = static_cast<TetId>(begin); t < end; ++t) {
+                        progress_.step(t, begin, end, member);
+                        if (!tet(t).is_dead())
+                            for (int c = 0; c < 4; ++c)
+                                for (int d = 0; d < c; ++d) mine += is_least(t, c, d);
+                    }
+                    rings += mine;
+                });
     if (rings != mesh_.vertices.size() + mesh_.live_count())
         fail(MGDT_ERR_CHECK_FAILED,
              "%zu edges, %zu vertices and %zu tetrahedra: not the Euler characteristic of a sphere",
@@ -225,8 +241,8 @@ void Checker::edges() const {
 }
 
 void check_triangulation(Team& team, const CheckInput& input, Allocator& allocator,
-                         std::int32_t level, std::int32_t base) {
-    Checker(team, input, allocator, base).run(level);
+                         std::int32_t level, std::int32_t base, StageProgress& progress) {
+    Checker(team, input, allocator, base, progress).run(level);
 }
 
 }  // namespace mgdt

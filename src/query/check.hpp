@@ -7,6 +7,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/scale.hpp"
 #include "parallel/team.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/location_tree.hpp"
 
 namespace mgdt {
@@ -27,6 +28,6 @@ struct CheckInput {
 // MGDT_CHECK_ value; `base` numbers points in messages. Every index in the mesh is checked before
 // it is used.
 void check_triangulation(Team& team, const CheckInput& input, Allocator& allocator,
-                         std::int32_t level, std::int32_t base);
+                         std::int32_t level, std::int32_t base, StageProgress& progress);
 
 }  // namespace mgdt

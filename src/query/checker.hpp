@@ -9,8 +9,14 @@ namespace mgdt {
 
 class Checker {
   public:
-    Checker(Team& team, const CheckInput& input, Allocator& allocator, std::int32_t base)
-        : team_(team), input_(input), mesh_(input.mesh), allocator_(allocator), base_(base) {}
+    Checker(Team& team, const CheckInput& input, Allocator& allocator, std::int32_t base,
+            StageProgress& progress)
+        : team_(team),
+          input_(input),
+          mesh_(input.mesh),
+          allocator_(allocator),
+          base_(base),
+          progress_(progress) {}
 
     void run(std::int32_t level) const;
 
@@ -40,17 +46,21 @@ class Checker {
     template <class F>
     void for_each_live(F f) const {
         team_.split(mesh_.tetrahedra.size(), 16384,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t t = begin; t < end; ++t)
+                    [&](std::size_t begin, std::size_t end, unsigned member) {
+                        for (std::size_t t = begin; t < end; ++t) {
+                            progress_.step(t, begin, end, member);
                             if (!tet(static_cast<TetId>(t)).is_dead()) f(static_cast<TetId>(t));
+                        }
                     });
     }
     template <class F>
     void for_each_vertex(F f) const {
         team_.split(mesh_.vertices.size(), 16384,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t v = begin; v < end; ++v)
+                    [&](std::size_t begin, std::size_t end, unsigned member) {
+                        for (std::size_t v = begin; v < end; ++v) {
+                            progress_.step(v, begin, end, member);
                             if (v != infinite_vertex) f(static_cast<VertexId>(v));
+                        }
                     });
     }
     [[noreturn]] void reject(TetId t, const char* what) const {
@@ -65,6 +75,7 @@ class Checker {
     const Mesh& mesh_;
     Allocator& allocator_;
     const std::int32_t base_;
+    StageProgress& progress_;
 };
 
 }  // namespace mgdt

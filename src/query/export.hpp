@@ -4,6 +4,7 @@
 #pragma once
 
 #include "parallel/team.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/numbering.hpp"
 
 namespace mgdt {
@@ -34,7 +35,8 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
 
 // The centre of the circumsphere of each tetrahedron, and the square of its radius unless `radius2`
 // is null.
-void export_circumcenters(const ExportView& view, double* xyz, double* radius2);
+void export_circumcenters(const ExportView& view, StageProgress& progress, double* xyz,
+                          double* radius2);
 
 // The positions of a tetrahedron's vertices in its exported record: as stored, or canonical.
 void export_positions(const ExportView& view, const Tetrahedron& t, unsigned positions[4]);

@@ -44,12 +44,16 @@ unsigned obtuse_corner(const double* const (&p)[3]) {
 // An edge is a Gabriel edge if its midpoint is in the dual Voronoi face of the edge. The third
 // vertices of the facets at the edge bound this face, so an edge opposite an obtuse corner of a
 // facet is removed: docs/theory.md, "Graphs of neighbours".
-EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
+EdgeLists gabriel_edges(const ExportView& view, std::size_t points, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
+    progress.enter(0, 0.4);
     EdgeLists edges = all_edges(view, points, indices);
+    progress.enter(0.4, 1);
+    const StopRequest stop = progress.stop_request();
     edges.subtract(EdgeLists(view, points, [&](std::size_t begin, std::size_t end, auto f) {
         for (std::size_t id = begin; id < end; ++id) {
+            stop.poll_in_step(id);
             const Tetrahedron& t = mesh.tetrahedra[id];
             if (t.is_dead()) continue;
             for (unsigned face = 0; face < 4; ++face) {
@@ -80,7 +84,9 @@ struct Length {
 
 // Kruskal's algorithm: takes the edges by length, and skips edges whose ends are connected already.
 // The edges of the tetrahedra contain every minimum spanning tree.
-Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map) {
+Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map,
+                                    StageProgress& progress) {
+    progress.enter(0, 0.3);
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     Buffer<std::uint32_t> ends(view.allocator), tree(view.allocator);
     Buffer<Length> lengths(view.allocator);
@@ -102,7 +108,11 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
         });
     }
     // Edges of the same length are taken in the order of their ends.
+    progress.enter(0.3, 0.8);
+    const StopRequest stop = progress.stop_request();
+    std::size_t steps = 0;
     std::sort(lengths.begin(), lengths.end(), [&](const Length& a, const Length& b) {
+        stop.poll_in_step(steps++);
         const double larger = std::max(a.square, b.square), difference = a.square - b.square;
         if (larger > least_length && larger < most_length &&
             std::fabs(difference) > length_error * larger)
@@ -111,6 +121,7 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
                                       point(2 * b.position), point(2 * b.position + 1));
         return s != 0 ? s < 0 : a.position < b.position;
     });
+    progress.enter(0.8, 1);
     DisjointSets parts(view.allocator, point_map.size());
     Buffer<bool> is_taken(view.allocator);
     is_taken.resize(lengths.size(), false);

@@ -5,7 +5,7 @@ namespace mgdt {
 
 template <class Int>
 void locate_points(const ExportView& view, const Locator& where, const PointSet& places,
-                   Int* tetrahedra, double* weights) {
+                   const StageProgress& progress, Int* tetrahedra, double* weights) {
     const auto write = [&](std::size_t i, TetId found, TetId) {
         const bool is_inside = found != no_tetrahedron;
         const std::int32_t number = is_inside ? view.numbering->number(found) : -1;
@@ -20,25 +20,27 @@ void locate_points(const ExportView& view, const Locator& where, const PointSet&
         export_positions(view, view.mesh.tetrahedra[found], of_stored);
         for (int k = 0; k < 4; ++k) out[k] = stored[of_stored[k]];
     };
-    locate_each(view, where, places, true, [&](unsigned) { return write; });
+    locate_each(view, where, places, true, progress, [&](unsigned) { return write; });
 }
-template void locate_points(const ExportView&, const Locator&, const PointSet&, std::int64_t*,
-                            double*);
-template void locate_points(const ExportView&, const Locator&, const PointSet&, std::int32_t*,
-                            double*);
+template void locate_points(const ExportView&, const Locator&, const PointSet&,
+                            const StageProgress&, std::int64_t*, double*);
+template void locate_points(const ExportView&, const Locator&, const PointSet&,
+                            const StageProgress&, std::int32_t*, double*);
 
 template <class Int>
 void nearest_vertices(const ExportView& view, const Locator& where, const PointSet& places,
-                      Int* vertices) {
+                      const StageProgress& progress, Int* vertices) {
     const auto write = [&](std::size_t i, TetId, TetId near) {
         const VertexId found = where.nearest_vertex(places.axis[0] + 3 * i, near, view.allocator);
         vertices[i] = static_cast<Int>(
             (found == infinite_vertex ? -1 : std::int64_t{view.mesh.vertices[found].index}) +
             view.base);
     };
-    locate_each(view, where, places, false, [&](unsigned) { return write; });
+    locate_each(view, where, places, false, progress, [&](unsigned) { return write; });
 }
-template void nearest_vertices(const ExportView&, const Locator&, const PointSet&, std::int64_t*);
-template void nearest_vertices(const ExportView&, const Locator&, const PointSet&, std::int32_t*);
+template void nearest_vertices(const ExportView&, const Locator&, const PointSet&,
+                               const StageProgress&, std::int64_t*);
+template void nearest_vertices(const ExportView&, const Locator&, const PointSet&,
+                               const StageProgress&, std::int32_t*);
 
 }  // namespace mgdt

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "order/curve_sort.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 #include "query/locate.hpp"
 
@@ -18,7 +19,7 @@ inline constexpr std::size_t places_per_thread = 4096;
 // thread has its own `found`, which make_found(member) returns.
 template <class MakeFound>
 void locate_each(const ExportView& view, const Locator& where, const PointSet& places,
-                 bool may_end_outside, MakeFound make_found) {
+                 bool may_end_outside, const StageProgress& progress, MakeFound make_found) {
     const double* const xyz = places.axis[0];
     if (places.size == 1) {
         TetId near = no_tetrahedron;
@@ -33,25 +34,32 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
         PointSet block = places;
         block.size = std::min(most, places.size - begin);
         for (const double*& axis : block.axis) axis += 3 * begin;
+        const double size = static_cast<double>(places.size);
+        StageProgress of_block = progress.within(static_cast<double>(begin) / size,
+                                                 static_cast<double>(begin + block.size) / size);
         const CurveOrder order = sort_along_curve(view.team, block, view.allocator);
         const auto index = [&](std::size_t k) { return begin + order.index(k); };
-        view.team.split(
-            block.size, places_per_thread, [&](std::size_t first, std::size_t last, unsigned m) {
-                auto&& found = make_found(m);
-                where.locate_sequence(
-                    last - first, may_end_outside,
-                    [&](std::size_t k) { return xyz + 3 * index(first + k); },
-                    [&](std::size_t k, TetId t, TetId near) { found(index(first + k), t, near); });
-            });
+        view.team.split(block.size, places_per_thread,
+                        [&](std::size_t first, std::size_t last, unsigned m) {
+                            auto&& found = make_found(m);
+                            std::size_t done = 0;
+                            where.locate_sequence(
+                                last - first, may_end_outside,
+                                [&](std::size_t k) { return xyz + 3 * index(first + k); },
+                                [&](std::size_t k, TetId t, TetId near) {
+                                    of_block.step(done++, 0, last - first, m);
+                                    found(index(first + k), t, near);
+                                });
+                        });
     }
 }
 
 // `places` are contiguous, in the caller's scale. `weights` may be null.
 template <class Int>
 void locate_points(const ExportView& view, const Locator& where, const PointSet& places,
-                   Int* tetrahedra, double* weights);
+                   const StageProgress& progress, Int* tetrahedra, double* weights);
 template <class Int>
 void nearest_vertices(const ExportView& view, const Locator& where, const PointSet& places,
-                      Int* vertices);
+                      const StageProgress& progress, Int* vertices);
 
 }  // namespace mgdt

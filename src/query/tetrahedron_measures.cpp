@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/watched_split.hpp"
 #include "predicates/bounded_numbers.hpp"
 #include "predicates/vector.hpp"
 
@@ -190,21 +191,21 @@ double measure_tetrahedron(const double* const (&p)[4], int scale, TetrahedronMe
     return x;
 }
 
-void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure, double* x) {
+void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure,
+                                 StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;
     constexpr std::size_t stretches_per_thread = 64, ahead = 16;
-    view.team.split(numbering.stretches(), stretches_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            mesh.tetrahedra.prefetch(id + ahead);
-                            x[number] =
-                                measure_tetrahedron({mesh.point(t.v[0]), mesh.point(t.v[1]),
-                                                     mesh.point(t.v[2]), mesh.point(t.v[3])},
-                                                    mesh.scale, measure, view.allocator);
-                        });
-                    });
+    watched_split(view.team, progress, numbering.stretches(), stretches_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
+                          const Tetrahedron& t = mesh.tetrahedra[id];
+                          mesh.tetrahedra.prefetch(id + ahead);
+                          x[number] = measure_tetrahedron({mesh.point(t.v[0]), mesh.point(t.v[1]),
+                                                           mesh.point(t.v[2]), mesh.point(t.v[3])},
+                                                          mesh.scale, measure, view.allocator);
+                      });
+                  });
 }
 
 }  // namespace mgdt

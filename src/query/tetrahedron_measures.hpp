@@ -2,6 +2,7 @@
 // Volume, shape and size of tetrahedra, for all finite doubles and every tetrahedron, however flat.
 #pragma once
 
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 
 namespace mgdt {
@@ -24,7 +25,8 @@ double measure_tetrahedron(const double* const (&p)[4], int scale, TetrahedronMe
                            Allocator& allocator);
 
 // Writes a measure of each tetrahedron.
-void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure, double* x);
+void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure,
+                                 StageProgress& progress, double* x);
 
 namespace exact {
 

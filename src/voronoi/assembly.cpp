@@ -326,38 +326,39 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
 // Vertices with near numbers mostly have near points, so their cells share faces that are in the
 // cache.
 void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
-                             std::size_t measured, const StopRequest& stop) {
+                             std::size_t measured, StageProgress& progress) {
     VoronoiDiagram& d = diagram_;
     const std::size_t points = vertex_of_.size(), vertices = mesh_.vertices.size();
     d.volumes.resize(points, 0.0);
     d.cell_centroids.resize(3 * points, 0.0);
-    view_.team.split(vertices, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        CellMeasurer measurer(view_.allocator);
-        constexpr VertexId ahead = 4;
-        for (auto v = static_cast<VertexId>(std::max<std::size_t>(begin, 1)); v < end; ++v) {
-            stop.poll_in_step(v);
-            if (v + 2 * ahead < end) {
-                const std::size_t cell = indices[v + 2 * ahead];
-                // The last cells may have no faces, so there may be no such item.
-                prefetch(d.cell_faces.begin() + d.cell_begin[cell]);
+    view_.team.split(
+        vertices, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned member) {
+            CellMeasurer measurer(view_.allocator);
+            constexpr VertexId ahead = 4;
+            for (auto v = static_cast<VertexId>(std::max<std::size_t>(begin, 1)); v < end; ++v) {
+                progress.step(v, begin, end, member);
+                if (v + 2 * ahead < end) {
+                    const std::size_t cell = indices[v + 2 * ahead];
+                    // The last cells may have no faces, so there may be no such item.
+                    prefetch(d.cell_faces.begin() + d.cell_begin[cell]);
+                }
+                if (v + ahead < end) prefetch_faces(indices[v + ahead]);
+                const std::size_t cell = indices[v];
+                if (cell >= measured) continue;
+                double* const centroid = d.cell_centroids.begin() + 3 * cell;
+                if (d.is_bounded[cell] == 0) {
+                    d.volumes[cell] = unbounded;
+                    std::fill_n(centroid, 3, unbounded);
+                    continue;
+                }
+                if (measure_cell(cell, d.volumes[cell], centroid)) continue;
+                const TetId of_cell = first[v].load(std::memory_order_relaxed);
+                measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
+                measurer.measure(mesh_, v, of_cell, region_,
+                                 sources_ == nullptr ? Measure::centroid : Measure::centroid_offset,
+                                 centroid);
             }
-            if (v + ahead < end) prefetch_faces(indices[v + ahead]);
-            const std::size_t cell = indices[v];
-            if (cell >= measured) continue;
-            double* const centroid = d.cell_centroids.begin() + 3 * cell;
-            if (d.is_bounded[cell] == 0) {
-                d.volumes[cell] = unbounded;
-                std::fill_n(centroid, 3, unbounded);
-                continue;
-            }
-            if (measure_cell(cell, d.volumes[cell], centroid)) continue;
-            const TetId of_cell = first[v].load(std::memory_order_relaxed);
-            measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
-            measurer.measure(mesh_, v, of_cell, region_,
-                             sources_ == nullptr ? Measure::centroid : Measure::centroid_offset,
-                             centroid);
-        }
-    });
+        });
 }
 
 }  // namespace mgdt

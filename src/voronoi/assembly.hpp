@@ -6,7 +6,7 @@
 #include "dual/region.hpp"
 #include "parallel/atomic_array.hpp"
 #include "platform/objects.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 #include "voronoi/circumcenters.hpp"
 #include "voronoi/cut_corners.hpp"
 #include "voronoi/found_faces.hpp"
@@ -28,7 +28,7 @@ class Assembly {
     void list_cells();
     // `first` has a tetrahedron of each vertex. Cells from `measured` on are left out.
     void measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
-                       std::size_t measured, const StopRequest& stop);
+                       std::size_t measured, StageProgress& progress);
 
   private:
     // The faces that contain an item; `item` becomes its position among them.

@@ -4,27 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/watched_split.hpp"
 #include "predicates/differences.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 
-Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indices)
+Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indices,
+                             StageProgress& progress)
     : centers_(view.allocator, view.mesh.tetrahedra.size()) {
     set_factor(view);
-    set_centers(view, indices);
+    progress.enter(0, 0.6);
+    set_centers(view, indices, progress);
     const std::size_t slots = view.mesh.tetrahedra.size();
     DisjointSets sets(view.allocator, slots);
-    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        join_tetrahedra(view.mesh, sets, begin, end);
-    });
-    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        join_ghosts(view.mesh, sets, begin, end);
-    });
-    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t id = begin; id < end; ++id)
-            centers_[id].first = sets.least(static_cast<TetId>(id));
-    });
+    progress.enter(0.6, 1);
+    watched_split(
+        view.team, progress, slots, slots_per_thread,
+        [&](std::size_t begin, std::size_t end) { join_tetrahedra(view.mesh, sets, begin, end); });
+    watched_split(
+        view.team, progress, slots, slots_per_thread,
+        [&](std::size_t begin, std::size_t end) { join_ghosts(view.mesh, sets, begin, end); });
+    watched_split(view.team, progress, slots, slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t id = begin; id < end; ++id)
+                          centers_[id].first = sets.least(static_cast<TetId>(id));
+                  });
 }
 
 void Circumcenters::set_factor(const ExportView& view) {
@@ -36,22 +41,23 @@ void Circumcenters::set_factor(const ExportView& view) {
 }
 
 // The corrections depend on the order of the vertices, so the vertices are in canonical order.
-void Circumcenters::set_centers(const ExportView& view, const VertexIndices& indices) {
+void Circumcenters::set_centers(const ExportView& view, const VertexIndices& indices,
+                                StageProgress& progress) {
     const Mesh& mesh = view.mesh;
-    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t id = begin; id < end; ++id) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            mesh.tetrahedra.prefetch(id + ahead);
-                            if (t.is_dead() || t.is_ghost()) continue;
-                            unsigned at[4];
-                            Numbering::canonical_positions(t, indices, at);
-                            static_cast<SplitPoint&>(centers_[id]) =
-                                split_circumcenter({mesh.point(t.v[at[0]]), mesh.point(t.v[at[1]]),
-                                                    mesh.point(t.v[at[2]]), mesh.point(t.v[at[3]])},
-                                                   factor_);
-                        }
-                    });
+    watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,
+                  [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t id = begin; id < end; ++id) {
+                          const Tetrahedron& t = mesh.tetrahedra[id];
+                          mesh.tetrahedra.prefetch(id + ahead);
+                          if (t.is_dead() || t.is_ghost()) continue;
+                          unsigned at[4];
+                          Numbering::canonical_positions(t, indices, at);
+                          static_cast<SplitPoint&>(centers_[id]) =
+                              split_circumcenter({mesh.point(t.v[at[0]]), mesh.point(t.v[at[1]]),
+                                                  mesh.point(t.v[at[2]]), mesh.point(t.v[at[3]])},
+                                                 factor_);
+                      }
+                  });
 }
 
 // Two adjacent tetrahedra have the same circumcentre if all five vertices are on one sphere. Then

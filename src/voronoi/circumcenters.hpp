@@ -4,6 +4,7 @@
 
 #include "parallel/disjoint_sets.hpp"
 #include "platform/compiler.hpp"
+#include "platform/stage_progress.hpp"
 #include "predicates/circumcenter.hpp"
 #include "query/export.hpp"
 #include "query/vertex_indices.hpp"
@@ -12,7 +13,7 @@ namespace mgdt {
 
 class Circumcenters {
   public:
-    Circumcenters(const ExportView& view, const VertexIndices& indices);
+    Circumcenters(const ExportView& view, const VertexIndices& indices, StageProgress& progress);
 
     // The circumcentre of the finite tetrahedron in a slot. All coordinates carry the mesh's scale.
     const SplitPoint& operator[](TetId t) const noexcept { return centers_[t]; }
@@ -30,7 +31,7 @@ class Circumcenters {
     static constexpr std::size_t slots_per_thread = 4096, ahead = 16;
 
     void set_factor(const ExportView& view);
-    void set_centers(const ExportView& view, const VertexIndices& indices);
+    void set_centers(const ExportView& view, const VertexIndices& indices, StageProgress& progress);
     void join_tetrahedra(const Mesh& mesh, DisjointSets& sets, std::size_t begin, std::size_t end);
     static void join_ghosts(const Mesh& mesh, DisjointSets& sets, std::size_t begin,
                             std::size_t end);

@@ -12,7 +12,7 @@ namespace mgdt {
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
                    CutCorners& corners, AtomicArray<TetId>& first, std::size_t points,
-                   const StopRequest& stop)
+                   StageProgress& progress)
     : view_(view),
       mesh_(view.mesh),
       indices_(indices),
@@ -22,7 +22,7 @@ CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const R
       corners_(corners),
       first_(first),
       points_(points),
-      stop_(stop) {}
+      progress_(progress) {}
 
 // A cell may be cut if one of its corners is not certainly inside the region.
 void CutFaces::mark() {
@@ -57,7 +57,7 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
             CellFaces faces(view_.allocator);
             Cycles& of_member = cycles[member];
             for (std::size_t i = begin; i < end; ++i) {
-                stop_.poll_in_step(i);
+                progress_.step(i, begin, end, member);
                 const VertexId v = cut[i];
                 const std::uint32_t index = indices_[v];
                 link.gather(mesh_, v, first_[v].load(std::memory_order_relaxed));
@@ -92,7 +92,7 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
 // have no length; then two consecutive corners are one.
 void CutFaces::find_corners(Cycles& cycles, FoundFaces& found) {
     for (std::size_t f = 0; f < cycles.faces.size(); ++f) {
-        stop_.poll_in_step(f);
+        progress_.stop_request().poll_in_step(f);
         Cycle& cycle = cycles.faces[f];
         FoundFace face = {};
         face.sides[0] = cycle.sides[0];
@@ -140,7 +140,7 @@ void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
             HalfSpaces half_spaces(view_.allocator);
             Buffer<const SplitPoint*> points(view_.allocator);
             for (std::size_t f = begin; f < end; ++f) {
-                stop_.poll_in_step(f);
+                progress_.stop_request().poll_in_step(f);
                 const Cycle& cycle = cycles.faces[f];
                 if (cycle.face == no_face) continue;
                 FoundFace& face = found.faces[cycle.face];
@@ -165,7 +165,7 @@ void CutFaces::find(PerMember<FoundFaces>& found) {
     PerMember<Cycles> cycles(view_.team, view_.allocator, std::ref(view_.allocator));
     find_cycles(cycles);
     for (std::size_t id = 0; id < mesh_.tetrahedra.size(); ++id) {
-        stop_.poll_in_step(id);
+        progress_.stop_request().poll_in_step(id);
         const Tetrahedron& t = mesh_.tetrahedra[id];
         if (t.is_dead() || t.is_ghost()) continue;
         bool may_be_cut = false;

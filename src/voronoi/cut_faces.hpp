@@ -4,7 +4,7 @@
 
 #include "dual/cell_measurer.hpp"
 #include "parallel/per_member.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 #include "voronoi/cut_corners.hpp"
 
 namespace mgdt {
@@ -13,7 +13,7 @@ class CutFaces {
   public:
     CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
              const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut, CutCorners& corners,
-             AtomicArray<TetId>& first, std::size_t points, const StopRequest& stop);
+             AtomicArray<TetId>& first, std::size_t points, StageProgress& progress);
 
     // Sets the marks of the vertices whose cells may be cut.
     void mark();
@@ -48,7 +48,7 @@ class CutFaces {
     CutCorners& corners_;
     AtomicArray<TetId>& first_;
     const std::size_t points_;  // vertices with larger indices have no cells
-    const StopRequest& stop_;
+    StageProgress& progress_;
 };
 
 }  // namespace mgdt

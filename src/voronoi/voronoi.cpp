@@ -11,9 +11,9 @@
 namespace mgdt {
 
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   std::size_t far, const StopRequest& stop, VoronoiDiagram& diagram,
+                   std::size_t far, StageProgress& progress, VoronoiDiagram& diagram,
                    VoronoiSources* sources) {
-    stop.poll();
+    progress.enter(0, 0.05);
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
     Buffer<VertexId> vertex_of(view.allocator);
@@ -26,25 +26,29 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
             diagram.points[3 * index + k] = scaled(mesh.point(v)[k], -mesh.scale);
     }
     AtomicArray<TetId> first(view.allocator, mesh.vertices.size());
-    find_tetrahedra(view, first);
-    Circumcenters centers(view, indices);
+    find_tetrahedra(view, first, progress);
+    StageProgress of_centers = progress.within(0.05, 0.25);
+    Circumcenters centers(view, indices, of_centers);
     AtomicArray<std::uint8_t> is_cut(view.allocator, mesh.vertices.size());
     CutCorners corners(view, indices, region, centers, vertex_of);
     PerMember<FoundFaces> found(view.team, view.allocator, std::ref(view.allocator));
     if (region.is_bounded()) {
-        CutFaces cut(view, indices, region, centers, is_cut, corners, first, points, stop);
+        progress.enter(0.25, 0.4);
+        CutFaces cut(view, indices, region, centers, is_cut, corners, first, points, progress);
         cut.mark();
         cut.find(found);
     }
-    WholeFaces(view, indices, centers, is_cut, stop).find(found);
+    progress.enter(0.4, 0.65);
+    WholeFaces(view, indices, centers, is_cut, progress).find(found);
+    progress.enter(0.65, 0.75);
     Assembly assembly(view, vertex_of, region, centers, corners, found, diagram, sources);
     assembly.sort_faces();
-    stop.poll();
+    progress.enter(0.75, 0.85);
     assembly.number_corners();
-    stop.poll();
+    progress.enter(0.85, 1);
     assembly.find_bounded_cells();
     assembly.list_cells();
-    assembly.measure_cells(first, indices, points, stop);
+    assembly.measure_cells(first, indices, points, progress);
     // The cells of far vertices are the last, and have no faces.
     diagram.points.resize(3 * points);
     diagram.cell_begin.resize(points + 1);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dual/region.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 #include "query/export.hpp"
 #include "voronoi/diagram.hpp"
 
@@ -23,7 +23,7 @@ struct VoronoiSources {
 // relative: that of a cell to its point, that of a face to its first side. Throws
 // MGDT_ERR_CANCELLED if there is a request to stop.
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   std::size_t far, const StopRequest& stop, VoronoiDiagram& diagram,
+                   std::size_t far, StageProgress& progress, VoronoiDiagram& diagram,
                    VoronoiSources* sources = nullptr);
 
 }  // namespace mgdt

@@ -179,7 +179,7 @@ void WholeFaces::find(PerMember<FoundFaces>& found) {
                          Finder finder(*this, found[member]);
                          found[member].make_room(end - begin);
                          for (std::size_t id = begin; id < end; ++id) {
-                             stop_.poll_in_step(id);
+                             progress_.step(id, begin, end, member);
                              const Tetrahedron& t = mesh.tetrahedra[id];
                              mesh.tetrahedra.prefetch(id + ahead);
                              if (id + ahead / 4 < end)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "parallel/per_member.hpp"
-#include "platform/stop_request.hpp"
+#include "platform/stage_progress.hpp"
 #include "voronoi/circumcenters.hpp"
 #include "voronoi/found_faces.hpp"
 
@@ -15,8 +15,8 @@ namespace mgdt {
 class WholeFaces {
   public:
     WholeFaces(const ExportView& view, const VertexIndices& indices, const Circumcenters& centers,
-               AtomicArray<std::uint8_t>& is_cut, const StopRequest& stop)
-        : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut), stop_(stop) {}
+               AtomicArray<std::uint8_t>& is_cut, StageProgress& progress)
+        : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut), progress_(progress) {}
 
     // Each member of the team appends the faces that it finds to its own.
     void find(PerMember<FoundFaces>& found);
@@ -28,7 +28,7 @@ class WholeFaces {
     const VertexIndices& indices_;
     const Circumcenters& centers_;
     AtomicArray<std::uint8_t>& is_cut_;
-    const StopRequest& stop_;
+    StageProgress& progress_;
 };
 
 }  // namespace mgdt

@@ -131,16 +131,27 @@ int main(void) {
     static const struct {
         const char* name;
         void (*run)(void);
-    } groups[] = {{"text", test_text},         {"arguments", test_arguments},
-                  {"settings", test_settings}, {"insertion", test_insertion},
-                  {"export", test_export},     {"queries", test_queries},
-                  {"changes", test_changes},   {"cells", test_cells},
-                  {"dual", test_dual},         {"interpolation", test_interpolation},
-                  {"memory", test_memory},     {"parts", test_parts},
-                  {"progress", test_progress}, {"environment", test_environment},
-                  {"isa", test_isa},           {"compact", test_compact},
-                  {"busy", test_busy},         {"voronoi", test_voronoi},
-                  {"domain", test_domain},     {"mesh", test_mesh},
+    } groups[] = {{"text", test_text},
+                  {"arguments", test_arguments},
+                  {"settings", test_settings},
+                  {"insertion", test_insertion},
+                  {"export", test_export},
+                  {"queries", test_queries},
+                  {"changes", test_changes},
+                  {"cells", test_cells},
+                  {"dual", test_dual},
+                  {"interpolation", test_interpolation},
+                  {"memory", test_memory},
+                  {"parts", test_parts},
+                  {"progress", test_progress},
+                  {"long calls", test_long_calls},
+                  {"environment", test_environment},
+                  {"isa", test_isa},
+                  {"compact", test_compact},
+                  {"busy", test_busy},
+                  {"voronoi", test_voronoi},
+                  {"domain", test_domain},
+                  {"mesh", test_mesh},
                   {"periodic", test_periodic}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {

@@ -58,6 +58,7 @@ void test_memory(void);
 void test_parts(void);
 void test_periodic(void);
 void test_progress(void);
+void test_long_calls(void);
 void test_environment(void);
 void test_interpolation(void);
 void test_isa(void);

@@ -30,7 +30,7 @@ static void change(guest* g) {
     static const int32_t narrow = 0;
     int64_t index[n];
     int32_t narrow_index[n];
-    for (k = 0; k < 21; ++k) {
+    for (k = 0; k < 22; ++k) {
         const mgdt_status status =
             k == 0    ? mgdt_insert_points(t, 4, point)
             : k == 1  ? mgdt_insert_points_strided(t, 4, point, point + 1, point + 2, 3)
@@ -52,6 +52,7 @@ static void change(guest* g) {
             : k == 17 ? mgdt_move_points_i32(t, 1, &narrow, point)
             : k == 18 ? mgdt_renumber_points_i32(t, n, narrow_index)
             : k == 19 ? mgdt_shrink(t)
+            : k == 20 ? mgdt_set_read_progress(t, 1)
                       : mgdt_set_canonical_output(t, 1);
         CHECK_EQUAL(status, MGDT_ERR_BUSY);
         CHECK_ERROR(t, "mgdt_");
@@ -161,6 +162,7 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_index_base(t, c), "mgdt_get_index_base()");
     expect_refused(g, mgdt_get_memory_limit(t, a), "mgdt_get_memory_limit()");
     expect_refused(g, mgdt_get_compact(t, c), "mgdt_get_compact()");
+    expect_refused(g, mgdt_get_read_progress(t, c), "mgdt_get_read_progress()");
     expect_refused(g, mgdt_get_canonical_output(t, c), "mgdt_get_canonical_output()");
     expect_refused(g, mgdt_check(t, MGDT_CHECK_COMBINATORIAL), "mgdt_check()");
     expect_refused(g, mgdt_get_stat(t, MGDT_STAT_MEMORY_BYTES, &value), "mgdt_get_stat()");

@@ -48,7 +48,7 @@ static void progress(int64_t n, const double* xyz) {
     CHECK(w.calls >= 10 && w.calls <= 1000);
     CHECK(w.last == 1);
     calls = w.calls;
-    /* Insertions of points alone report. */
+    /* Insertions of points alone report, unless calls that read are to do so. */
     CHECK_EQUAL(mgdt_insert_points(t, 0, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_reserve(t, 3 * n), MGDT_OK);
     CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK);
@@ -144,7 +144,6 @@ static void held_points_stay(void) {
     w = start(t, 10, 0);
     CHECK_EQUAL(mgdt_insert_points(t, n, more), MGDT_ERR_CANCELLED);
     CHECK_EQUAL(mgdt_dimension(t), 3);
-    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
     map = get_array(mgdt_get_point_map, t, 2 * n);
     for (i = 0; i < n; ++i) CHECK_EQUAL(map[i], i);
     CHECK_EQUAL(map[2 * n - 1] >= 0 && mgdt_vertex_count(t) == 2 * n, 0);

@@ -91,6 +91,8 @@ static void refuse(mgdt_triangulation* t) {
     CHECK(mgdt_set_threads(t, -1) != MGDT_OK);
     CHECK(mgdt_set_index_base(t, 2) != MGDT_OK);
     CHECK(mgdt_set_compact(t, 2) != MGDT_OK);
+    CHECK_EQUAL(mgdt_set_read_progress(t, 2), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_set_read_progress(NULL, 1), MGDT_ERR_NULL_POINTER);
     CHECK(mgdt_set_canonical_output(t, 2) != MGDT_OK);
     CHECK(mgdt_set_memory_limit(t, -1) != MGDT_OK);
     CHECK(mgdt_set_order_parameter(t, MGDT_PARAMETER_POINTS_PER_CELL, -1) != MGDT_OK);
@@ -110,6 +112,7 @@ static void bad_calls(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_get_threads(t, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_index_base(t, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_compact(t, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_read_progress(t, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_canonical_output(t, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_memory_limit(t, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_seed(t, NULL), MGDT_ERR_NULL_POINTER);
@@ -122,6 +125,7 @@ static void bad_calls(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_get_threads(NULL, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_index_base(NULL, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_compact(NULL, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_read_progress(NULL, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_canonical_output(NULL, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_memory_limit(NULL, &n), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_seed(NULL, &u), MGDT_ERR_NULL_POINTER);

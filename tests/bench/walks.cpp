@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 
+#include "../unit/unwatched.hpp"
 #include "cli/distributions.hpp"
 #include "core/triangulation.hpp"
 #include "order/grid.hpp"
@@ -122,7 +123,8 @@ Result run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& cel
     const double* const axis[3] = {&xyz[0], &xyz[1], &xyz[2]};
     t.insert(xyz.size() / 3, axis, 3);
     mgdt::Team alone;
-    check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+    check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0,
+                        Unwatched());
     if (here.sums().count == 0) throw std::runtime_error("too few points: no walk was taken");
     const double n = static_cast<double>(xyz.size() / 3);
     return {here.sums(), static_cast<double>(t.counters().removed) / n};

@@ -160,6 +160,23 @@ TEST(CxxProgress, ExceptionsPassUnchanged) {
             EXPECT_STREQ(error.what(), "mine");
         }
     }
+    t.clear_progress();
+    t.insert(points);
+    t.check();
+    // With that setting, calls that read throw what the callback throws, even at the last report.
+    t.set_read_progress(true);
+    for (const double from : {0., 1.}) {
+        t.set_progress([from](double fraction) {
+            if (fraction >= from) throw std::out_of_range("mine");
+        });
+        EXPECT_THROW(t.check(), std::out_of_range);
+        EXPECT_THROW((void)t.gabriel_edges(), std::out_of_range);
+        EXPECT_THROW(mgdt::Voronoi{t}, std::out_of_range);
+    }
+    t.set_progress([](double) { return true; });
+    EXPECT_THROW(t.check(), mgdt::Cancelled);
+    EXPECT_THROW(mgdt::Voronoi{t}, mgdt::Cancelled);
+    t.set_read_progress(false);
     t.check();
 }
 

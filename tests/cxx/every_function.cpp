@@ -250,6 +250,7 @@ int main() {
         t.set_index_base(0);
         t.set_memory_limit(0);
         t.set_compact(true);
+        t.set_read_progress(true);
         t.set_canonical_output(true);
         t.set_isa(nullptr);
         t.set_progress([](double fraction) { return fraction > 2; });
@@ -258,7 +259,8 @@ int main() {
             return 19;
         if (t.order_parameter(mgdt::Parameter::round_ratio) != 4 || t.index_base() != 0) return 20;
         if (t.order_parameter(mgdt::Parameter::separation) != 1) return 21;
-        if (t.memory_limit() != 0 || !t.compact() || !t.canonical_output()) return 22;
+        if (t.memory_limit() != 0 || !t.compact() || !t.read_progress() || !t.canonical_output())
+            return 22;
         std::vector<double> x{0, 1, 0, 0}, y{0, 0, 1, 0}, z{0, 0, 0, 1};
         t.insert(x, y, z);
         t.insert_strided(4, x.data(), y.data(), z.data(), 1);

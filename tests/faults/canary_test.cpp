@@ -392,6 +392,10 @@ const Function functions[] = {
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_get_compact(t, static_cast<std::int32_t*>(g.array[0]));
      }},
+    {"mgdt_get_read_progress", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_read_progress(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
     {"mgdt_get_canonical_output", of_one<std::int32_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_get_canonical_output(t, static_cast<std::int32_t*>(g.array[0]));

@@ -248,23 +248,25 @@ contains
         integer(int32) :: seed, limit
         integer(int64) :: seed_64, limit_64
         real(real64) :: value, before, after
-        logical :: compact, canonical
+        logical :: compact, canonical, reads
 
         call new%get_order_scheme(scheme)
         call new%get_threads(threads)
         call new%get_index_base(base)
         call new%get_compact(compact)
+        call new%get_read_progress(reads)
         call new%get_canonical_output(canonical)
         call new%get_order_parameter(mgdt_parameter_separation, value)
         call new%get_seed(seed)
         call new%get_memory_limit(limit)
         call expect(scheme == mgdt_order_auto .and. threads == 1 .and. base == 1 .and. &
-                    .not. compact .and. .not. canonical .and. seed == 0 .and. limit == 0 .and. &
+                    .not. (compact .or. reads) .and. .not. canonical .and. seed == 0 .and. limit == 0 .and. &
                     nint(value) == mgdt_separation_rounds, 'defaults')
         call new%set_order_scheme('kd-tree')
         call new%set_threads(3)
         call new%set_index_base(0)
         call new%set_compact(.true.)
+        call new%set_read_progress(.true.)
         call new%set_canonical_output(.true.)
         call new%set_order_parameter(mgdt_parameter_separation, &
                                      real(mgdt_separation_passes, real64))
@@ -274,6 +276,7 @@ contains
         call new%get_threads(threads)
         call new%get_index_base(base)
         call new%get_compact(compact)
+        call new%get_read_progress(reads)
         call new%get_canonical_output(canonical)
         call new%get_order_parameter(mgdt_parameter_separation, value)
         call new%get_seed(seed)
@@ -281,7 +284,7 @@ contains
         call new%get_memory_limit(limit)
         call new%get_memory_limit(limit_64)
         call expect(scheme == mgdt_order_kd_tree .and. threads == 3 .and. base == 0 .and. compact &
-                    .and. canonical .and. nint(value) == mgdt_separation_passes, 'settings')
+                    .and. reads .and. canonical .and. nint(value) == mgdt_separation_passes, 'settings')
         call expect(seed == -7 .and. seed_64 == -7 .and. limit == 123456789 .and. &
                     limit_64 == 123456789, 'a seed and a limit of both kinds')
         call new%get_order_parameter(11, value, stat)

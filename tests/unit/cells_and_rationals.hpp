@@ -12,6 +12,7 @@
 #include "core/triangulation.hpp"
 #include "dual/measures.hpp"
 #include "exact_cells.hpp"
+#include "unwatched.hpp"
 #include "voronoi_and_rationals.hpp"
 
 namespace mgdt {
@@ -28,7 +29,7 @@ inline std::vector<double> measures_of_cells(const std::vector<double>& xyz, Mea
     const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
     const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh(), 0);
     std::vector<double> x((measure == Measure::centroid ? 3 : 1) * n);
-    export_measures(view, region, measure, n, x.data());
+    export_measures(view, region, measure, n, Unwatched(), x.data());
     return x;
 }
 

@@ -12,6 +12,7 @@
 #include "domain/mesh_check.hpp"
 #include "domain/polygon.hpp"
 #include "surfaces.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -89,7 +90,7 @@ bool is_valid(const DomainInput& input) {
     Team team;
     const Complex complex = make_complex(input, allocator);
     return complex.bad_facets.empty() &&
-           offending_pairs(complex.boundary, team, allocator, StopRequest(flag)).empty();
+           offending_pairs(complex.boundary, team, allocator, Unwatched()).empty();
 }
 
 // Random triangles and segments that do not cross, on small lattices, where nearly everything is

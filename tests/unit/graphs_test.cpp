@@ -4,6 +4,7 @@
 
 #include "histories.hpp"
 #include "predicates/predicates.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -17,7 +18,7 @@ ExportView view(Team& team, const Triangulation& t) {
 
 Edges gabriel(const Triangulation& t, unsigned threads) {
     Team team(threads);
-    const EdgeLists lists = gabriel_edges(view(team, t), t.point_map().size());
+    const EdgeLists lists = gabriel_edges(view(team, t), t.point_map().size(), Unwatched());
     Edges edges(lists.size());
     lists.write(
         [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
@@ -29,7 +30,7 @@ Edges gabriel(const Triangulation& t, unsigned threads) {
 
 Edges tree(const Triangulation& t, unsigned threads) {
     Team team(threads);
-    const Buffer<std::uint32_t> ends = spanning_tree(view(team, t), t.point_map());
+    const Buffer<std::uint32_t> ends = spanning_tree(view(team, t), t.point_map(), Unwatched());
     Edges edges;
     for (std::size_t i = 0; i < ends.size(); i += 2) edges.push_back({ends[i], ends[i + 1]});
     return edges;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "surgery.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace histories {
@@ -58,7 +59,7 @@ inline std::vector<std::uint32_t> points_in(const Triangulation& t) {
 inline std::string complaint(const Triangulation& t, int level = 3) {
     Team team;
     try {
-        check_triangulation(team, t.check_input(), t.allocator(), level, 0);
+        check_triangulation(team, t.check_input(), t.allocator(), level, 0, Unwatched());
         return {};
     } catch (const Error& error) {
         return error.message;

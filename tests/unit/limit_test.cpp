@@ -9,6 +9,7 @@
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
 #include "query/check.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -46,15 +47,15 @@ TEST(Limit, KeepsWhatGotIn) {
     EXPECT_LE(mesh.tetrahedra.size(), 4000u);
     EXPECT_GT(t.vertex_count(), 400u);
     EXPECT_LT(t.vertex_count(), given);
-    EXPECT_NO_THROW(
-        check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    EXPECT_NO_THROW(check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL,
+                                        0, Unwatched()));
 
     // With room again insertion goes on, and the points that were left out may be given anew.
     mesh.slot_limit = max_tetrahedra;
     insert(t, xyz);
     EXPECT_EQ(t.vertex_count(), 3000u);
-    EXPECT_NO_THROW(
-        check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    EXPECT_NO_THROW(check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL,
+                                        0, Unwatched()));
 }
 
 // More points than vertices can have numbers, but fewer places: repeats take no number. The limit
@@ -80,8 +81,8 @@ TEST(Limit, MorePointsThanVertices) {
             for (std::size_t k = 0; k < 3; ++k)
                 ASSERT_EQ(t.mesh().point(t.point_map()[i])[k], xyz[3 * i + k]) << i;
         Team team(2);
-        EXPECT_NO_THROW(
-            check_triangulation(team, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+        EXPECT_NO_THROW(check_triangulation(team, t.check_input(), t.allocator(),
+                                            MGDT_CHECK_CANONICAL, 0, Unwatched()));
     }
 }
 
@@ -109,14 +110,14 @@ TEST(Limit, CavityOutOfMemory) {
         }
         ASSERT_EQ(t.mesh().live_count(), before);
         t.allocator().set_limit(0);
-        ASSERT_NO_THROW(
-            check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+        ASSERT_NO_THROW(check_triangulation(alone, t.check_input(), t.allocator(),
+                                            MGDT_CHECK_CANONICAL, 0, Unwatched()));
     }
     t.allocator().set_limit(0);
     EXPECT_GT(refused, 3);
     EXPECT_LT(t.mesh().live_count(), before / 2);
-    EXPECT_NO_THROW(
-        check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    EXPECT_NO_THROW(check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL,
+                                        0, Unwatched()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "periodic_built.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -19,7 +20,7 @@ struct Merged : Periodic {
         insert(points.size() / 3, points.data());
         build();
         StopFlag cancelled;
-        check_periodic(*this, cancelled.request());
+        check_periodic(*this, Unwatched());
     }
 };
 
@@ -60,7 +61,7 @@ TEST(Merging, LatticeWithBothSides) {
         const Merged box(vectors, points, 1e-9);
         EXPECT_EQ(box.vertex_count(), 64u);
         std::vector<double> volumes(125);
-        export_periodic_measures(box, Measure::volume, volumes.data());
+        export_periodic_measures(box, Measure::volume, Unwatched(), volumes.data());
         const double expected = std::fabs(volumes[0]);
         for (std::uint32_t p = 0; p < 125; ++p)
             if (box.vertex_of(p) == p) {

@@ -18,6 +18,7 @@
 #include "parts/in_process.hpp"
 #include "predicates/predicates.hpp"
 #include "thread_transport.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -71,7 +72,7 @@ struct Built {
         collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
     }
     void check() {
-        collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
+        collective.run([&] { all.check(MGDT_CHECK_CANONICAL, Unwatched()); });
     }
 
     InProcess transport;

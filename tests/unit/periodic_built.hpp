@@ -8,6 +8,7 @@
 
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_check.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 
@@ -38,7 +39,7 @@ struct Built : Periodic {
         insert(points.size() / 3, points.data());
         build();
         StopFlag cancelled;
-        check_periodic(*this, cancelled.request());
+        check_periodic(*this, Unwatched());
     }
     std::array<double, 3> place(std::uint32_t point, const std::array<std::int64_t, 3>& of) const {
         double x[3];
@@ -49,7 +50,7 @@ struct Built : Periodic {
     }
     std::vector<double> measures(Measure measure) const {
         std::vector<double> x((measure == Measure::centroid ? 3 : 1) * point_count());
-        export_periodic_measures(*this, measure, x.data());
+        export_periodic_measures(*this, measure, Unwatched(), x.data());
         return x;
     }
     std::vector<double> box;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "unwatched.hpp"
+
 namespace mgdt {
 namespace {
 
@@ -47,7 +49,7 @@ struct Built : Periodic {
         for (const Record& record : records) all.push_back(record);
         StopFlag cancelled;
         try {
-            check_periodic(*this, all, cancelled.request());
+            check_periodic(*this, all, Unwatched());
         } catch (const Error& e) {
             EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED);
             EXPECT_STRNE(e.message, "");

@@ -13,6 +13,7 @@
 #include "periodic_built.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/predicates.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -22,7 +23,7 @@ using Place = std::array<double, 3>;
 struct Diagram : VoronoiDiagram {
     explicit Diagram(const Built& built) : VoronoiDiagram(built.allocator()) {
         StopFlag cancelled;
-        build_periodic_diagram(built, cancelled.request(), *this);
+        build_periodic_diagram(built, Unwatched(), *this);
     }
 };
 

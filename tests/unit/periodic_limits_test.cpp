@@ -16,6 +16,7 @@
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_check.hpp"
 #include "periodic/periodic_diagram.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -59,7 +60,7 @@ struct Built : Periodic {
         insert(points.size() / 3, points.data());
         build();
         StopFlag cancelled;
-        check_periodic(*this, cancelled.request());
+        check_periodic(*this, Unwatched());
     }
 };
 
@@ -157,7 +158,7 @@ TEST(Periodic, TinyAndHugeBoxes) {
         const auto expected = listing(built);
         std::vector<double> centroids(180);
         if (vectors.size() == 9)
-            export_periodic_measures(built, Measure::centroid, centroids.data());
+            export_periodic_measures(built, Measure::centroid, Unwatched(), centroids.data());
         for (const int exponent : {-990, -900, -521, -200, 200, 341, 520, 900, 990}) {
             SCOPED_TRACE(exponent);
             Vectors scaled_vectors = vectors;
@@ -172,7 +173,7 @@ TEST(Periodic, TinyAndHugeBoxes) {
             for (unsigned c = 0; c < 3; ++c) EXPECT_EQ(y[c], std::scalbn(x[c], exponent));
             if (vectors.size() != 9) continue;
             std::vector<double> other(180);
-            export_periodic_measures(scaled, Measure::centroid, other.data());
+            export_periodic_measures(scaled, Measure::centroid, Unwatched(), other.data());
             for (std::size_t i = 0; i < 180; ++i)
                 EXPECT_EQ(other[i], std::scalbn(centroids[i], exponent));
         }
@@ -293,7 +294,7 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
             EXPECT_EQ(built.tetrahedra().size(), expected.size());
             StopFlag cancelled;
             VoronoiDiagram diagram(built.allocator());
-            build_periodic_diagram(built, cancelled.request(), diagram);
+            build_periodic_diagram(built, Unwatched(), diagram);
             if (refusal.left >= 0) break;
             continue;  // what was refused was not necessary
         } catch (const std::bad_alloc&) {
@@ -460,11 +461,11 @@ TEST(PeriodicDiagram, IsSetAnewByEachBuild) {
     StopFlag cancelled;
     const Built many(cube, points_in(cube, 50, 3)), few(cube, points_in(cube, 3, 3));
     VoronoiDiagram diagram(many.allocator());
-    build_periodic_diagram(many, cancelled.request(), diagram);
+    build_periodic_diagram(many, Unwatched(), diagram);
     const std::size_t faces = diagram.face_count();
-    build_periodic_diagram(few, cancelled.request(), diagram);
+    build_periodic_diagram(few, Unwatched(), diagram);
     EXPECT_EQ(diagram.cell_count(), 3u);
-    build_periodic_diagram(many, cancelled.request(), diagram);
+    build_periodic_diagram(many, Unwatched(), diagram);
     EXPECT_EQ(diagram.face_count(), faces);
     EXPECT_EQ(diagram.face_shifts.size(), 3 * faces);
 }
@@ -476,9 +477,9 @@ TEST(PeriodicDiagram, SlabsHaveRays) {
     const Built built(slab, points);
     StopFlag cancelled;
     VoronoiDiagram diagram(built.allocator());
-    build_periodic_diagram(built, cancelled.request(), diagram);
+    build_periodic_diagram(built, Unwatched(), diagram);
     std::vector<double> volumes(200);
-    export_periodic_measures(built, Measure::volume, volumes.data());
+    export_periodic_measures(built, Measure::volume, Unwatched(), volumes.data());
     std::size_t unbounded = 0;
     for (std::uint32_t p = 0; p < 200; ++p) {
         EXPECT_EQ(diagram.is_bounded[p] != 0, std::isfinite(volumes[p]));

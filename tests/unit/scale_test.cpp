@@ -11,6 +11,7 @@
 
 #include "core/triangulation.hpp"
 #include "point_families.hpp"
+#include "unwatched.hpp"
 
 namespace {
 
@@ -73,7 +74,8 @@ TEST(Scale, LeavesMostDecisionsToTheFilters) {
     EXPECT_EQ(t.mesh().scale, 0);
     EXPECT_LT(t.counters().exact_calls, 2 * t.statistics().points_inserted);
     mgdt::Team alone;
-    mgdt::check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+    mgdt::check_triangulation(alone, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0,
+                              Unwatched());
 }
 
 }  // namespace

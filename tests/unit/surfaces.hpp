@@ -11,6 +11,7 @@
 
 #include "domain/domain.hpp"
 #include "domain/mesh_check.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 
@@ -24,8 +25,8 @@ class MeshedDomain : public Domain {
     }
     // Checks the mesh, and compares it with the domain.
     void check() const {
-        check_mesh(mesh_, settings().index_base, allocator());
-        Domain::check(mesh_);
+        check_mesh(mesh_, settings().index_base, allocator(), Unwatched());
+        Domain::check(mesh_, Unwatched());
     }
     DomainMesh& mesh() { return mesh_; }
     const DomainMesh& mesh() const { return mesh_; }

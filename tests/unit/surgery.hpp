@@ -21,6 +21,7 @@
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
 #include "query/check.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt::surgery {
 
@@ -62,7 +63,7 @@ struct Patient {
     std::string complaint(int level, unsigned threads = 1) const {
         Team team(threads);
         try {
-            check_triangulation(team, input, t->allocator(), level, 0);
+            check_triangulation(team, input, t->allocator(), level, 0, Unwatched());
             return {};
         } catch (const Error& error) {
             EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "unwatched.hpp"
+
 namespace mgdt {
 namespace {
 
@@ -17,7 +19,7 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 struct Fixture {
     Allocator allocator;
     Boundary boundary{allocator};
-    Atomic<bool> flag{false};
+    Unwatched unwatched;
 
     std::uint32_t point(double x, double y, double z) {
         for (const double of : {x, y, z}) boundary.points.push_back(of);
@@ -32,7 +34,7 @@ struct Fixture {
     Pairs found(unsigned threads = 1) {
         Team team(threads);
         Pairs pairs;
-        for (const OffendingPair& p : offending_pairs(boundary, team, allocator, StopRequest(flag)))
+        for (const OffendingPair& p : offending_pairs(boundary, team, allocator, unwatched))
             pairs.emplace_back(p.first, p.second);
         return pairs;
     }
@@ -152,7 +154,7 @@ TEST(Validation, StopsOnRequest) {
     Fixture f;
     add_cube(f, 1);
     f.segment(f.point(0.25, 0.5, -1), f.point(0.25, 0.5, 2));
-    f.flag.store(true, std::memory_order_relaxed);
+    f.unwatched.stop.set();
     EXPECT_THROW(f.found(), Error);
 }
 

@@ -12,6 +12,7 @@
 #include "core/triangulation.hpp"
 #include "dual/face_sums.hpp"
 #include "exact_cells.hpp"
+#include "unwatched.hpp"
 #include "voronoi/voronoi.hpp"
 
 namespace mgdt {
@@ -28,7 +29,7 @@ class OwnDiagram {
         Team team(threads);
         const ExportView view = {team, t.mesh(), nullptr, allocator_, 0, false};
         const Region region(allocator_, planes.size() / 4, planes.data(), t.mesh(), 0);
-        build_voronoi(view, region, xyz.size() / 3, 0, t.stop().request(), diagram_);
+        build_voronoi(view, region, xyz.size() / 3, 0, Unwatched(), diagram_);
         diagram_.planes.resize(planes.size());
         std::copy(planes.begin(), planes.end(), diagram_.planes.begin());
     }

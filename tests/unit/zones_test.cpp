@@ -19,6 +19,7 @@
 #include "platform/error.hpp"
 #include "query/check.hpp"
 #include "query/export.hpp"
+#include "unwatched.hpp"
 
 namespace mgdt {
 namespace {
@@ -61,7 +62,8 @@ std::vector<std::int64_t> outcome(const Triangulation& t) {
 void expect_valid(const Triangulation& t) {
     Team team(2);
     try {
-        check_triangulation(team, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+        check_triangulation(team, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0,
+                            Unwatched());
     } catch (const Error& error) {
         FAIL() << error.message;
     }

@@ -35,6 +35,8 @@ int32_t mgdt_get_compact(const mgdt_triangulation *t, int32_t *on);
 int32_t mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
 int32_t mgdt_get_progress(const mgdt_triangulation *t, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_cancel(mgdt_triangulation *t);
+int32_t mgdt_set_read_progress(mgdt_triangulation *t, int32_t on);
+int32_t mgdt_get_read_progress(const mgdt_triangulation *t, int32_t *on);
 int32_t mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
 int32_t mgdt_get_canonical_output(const mgdt_triangulation *t, int32_t *on);
 int32_t mgdt_set_isa(mgdt_triangulation *t, const char *name);

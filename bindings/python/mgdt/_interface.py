@@ -42,6 +42,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_set_progress": (c_int32, [c_void_p, PROGRESS, c_void_p]),
     "mgdt_get_progress": (c_int32, [c_void_p, c_void_p, POINTER(c_void_p)]),
     "mgdt_cancel": (c_int32, [c_void_p]),
+    "mgdt_set_read_progress": (c_int32, [c_void_p, c_int32]),
+    "mgdt_get_read_progress": (c_int32, [c_void_p, c_void_p]),
     "mgdt_set_canonical_output": (c_int32, [c_void_p, c_int32]),
     "mgdt_get_canonical_output": (c_int32, [c_void_p, c_void_p]),
     "mgdt_set_isa": (c_int32, [c_void_p, c_char_p]),

@@ -85,6 +85,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "index_base": 10,
         "threads": 20,
         "memory_limit": 30,
+        "read_progress": 40,
     },
     "number": {
         "parts": 10,

@@ -286,7 +286,8 @@ enum class PeriodicDoubles : std::int32_t {
 enum class PartsOption : std::int32_t {
     index_base = MGDT_PARTS_INDEX_BASE,
     threads = MGDT_PARTS_THREADS,
-    memory_limit = MGDT_PARTS_MEMORY_LIMIT
+    memory_limit = MGDT_PARTS_MEMORY_LIMIT,
+    read_progress = MGDT_PARTS_READ_PROGRESS
 };
 
 /** Numbers of parts; see MGDT_PARTS_PARTS and its neighbours. @since 1.2 */

@@ -114,19 +114,19 @@ class Domain : public detail::Results<detail::DomainCalls> {
 
     /** mgdt_domain_validate(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws; the status is MGDT_ERR_INVALID_BOUNDARY if there are offending pairs */
-    void validate() { finish(mgdt_domain_validate(get())); }
+    void validate() { require(mgdt_domain_validate(get())); }
     /** mgdt_domain_build(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws */
     [[nodiscard]] Mesh build() {
         mgdt_mesh* made = nullptr;
         const mgdt_status status = mgdt_domain_build(get(), &made);
         Mesh mesh(made);
-        finish(status);
+        require(status);
         return mesh;
     }
     /** Compares a mesh with what was set; mgdt_domain_check(). @throw Cancelled, OutOfMemory,
      *  Error, and what the progress callback throws */
-    void check(const Mesh& mesh) const { finish(mgdt_domain_check(get(), mesh.handle())); }
+    void check(const Mesh& mesh) const { require(mgdt_domain_check(get(), mesh.handle())); }
 
   private:
     static void require_size(bool is_right, const char* what) {

@@ -24,7 +24,7 @@ class Error : public std::runtime_error {
     mgdt_status status_;
 };
 
-/** cancel() or the progress callback stopped an insertion. */
+/** cancel() or the progress callback stopped a call. */
 class Cancelled : public Error {
   public:
     using Error::Error;

@@ -21,6 +21,8 @@
 namespace mgdt {
 inline namespace cxx1 {
 
+class Voronoi;
+
 namespace detail {
 
 // The message of the last call that failed on a handle.
@@ -152,13 +154,17 @@ class Owner {
     }
     Handle* get() const noexcept { return handle_.get(); }
     Handle* release_handle() noexcept { return handle_.release(); }
+    // Ends a call: throws what the progress callback has thrown, or the exception of the status.
     void require(mgdt_status status) const {
+        if (progress_) progress_->rethrow();
         if (status != MGDT_OK) throw_failure(status, handle_ ? last_error() : std::string());
     }
 
     std::unique_ptr<Progress> progress_{};  // outlives the handle, which may call it
 
   private:
+    friend class cxx1::Voronoi;
+
     struct Destroy {
         void operator()(Handle* handle) const noexcept { Calls::destroy(handle); }
     };
@@ -179,8 +185,9 @@ class Worker : public Owner<Calls> {
     }
     /** Sets the progress callback.
      *  @param call  a callable that takes a double, the fraction from 0 to 1. The object keeps it.
-     *  A result that is true cancels. If it throws, the running call is cancelled and throws that
-     *  exception instead of Cancelled. It must not throw if several calls run at once.
+     *  Long calls call it, see mgdt_set_progress(). A result that is true cancels. If it throws,
+     *  the running call is cancelled and throws that exception instead of Cancelled. It must not
+     *  throw if several calls run at once.
      *  @throw Error, std::bad_alloc */
     template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
     void set_progress(F&& call) {
@@ -200,13 +207,6 @@ class Worker : public Owner<Calls> {
 
   protected:
     using Owner<Calls>::Owner;
-
-    // Ends a call that may have called the progress callback: throws its exception, or that of the
-    // status.
-    void finish(mgdt_status status) const {
-        if (this->progress_) this->progress_->rethrow();
-        this->require(status);
-    }
 };
 
 // The base of the classes whose options, numbers and arrays have keys.

@@ -61,7 +61,7 @@ class Mesh : public detail::Results<detail::MeshCalls> {
     }
     /** mgdt_mesh_check(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws */
-    void check() const { finish(mgdt_mesh_check(get())); }
+    void check() const { require(mgdt_mesh_check(get())); }
 };
 
 }  // namespace cxx1

@@ -99,7 +99,7 @@ class Parts : public detail::Worker<detail::PartsCalls> {
 
     /** mgdt_parts_build(). Collective. @throw Cancelled, OutOfMemory, Error, and what the progress
      *  callback throws */
-    void build() { finish(mgdt_parts_build(get())); }
+    void build() { require(mgdt_parts_build(get())); }
     /** mgdt_parts_build_each().
      *  @param look  called as look(const Parts&, std::int32_t part) for each part in ascending
      *  order. A result that is true cancels. If it throws, build_each() throws that exception
@@ -120,7 +120,7 @@ class Parts : public detail::Worker<detail::PartsCalls> {
         };
         const mgdt_status status = mgdt_parts_build_each(get(), relay, &call);
         call.guarded.rethrow();
-        finish(status);
+        require(status);
     }
 
     /** mgdt_parts_get_stat(). @throw Error */

@@ -109,7 +109,7 @@ class Periodic : public detail::Results<detail::PeriodicCalls> {
     }
     /** mgdt_periodic_build(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws */
-    void build() { finish(mgdt_periodic_build(get())); }
+    void build() { require(mgdt_periodic_build(get())); }
     /** mgdt_periodic_check(). @throw Cancelled, OutOfMemory, Error */
     void check() const { require(mgdt_periodic_check(get())); }
 

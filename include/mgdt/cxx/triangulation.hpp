@@ -95,6 +95,8 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
     void set_memory_limit(std::int64_t bytes) { require(mgdt_set_memory_limit(get(), bytes)); }
     /** mgdt_set_compact(). @throw OutOfMemory, Error */
     void set_compact(bool on) { require(mgdt_set_compact(get(), on ? 1 : 0)); }
+    /** mgdt_set_read_progress(). @since 1.3 */
+    void set_read_progress(bool on) { require(mgdt_set_read_progress(get(), on ? 1 : 0)); }
     /** mgdt_set_canonical_output(). */
     void set_canonical_output(bool on) { require(mgdt_set_canonical_output(get(), on ? 1 : 0)); }
     /** mgdt_set_isa(). */
@@ -115,13 +117,16 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
     [[nodiscard]] std::int32_t index_base() const { return setting(mgdt_get_index_base); }
     [[nodiscard]] std::int64_t memory_limit() const { return setting(mgdt_get_memory_limit); }
     [[nodiscard]] bool compact() const { return setting(mgdt_get_compact) != 0; }
+    /** @since 1.3 */
+    [[nodiscard]] bool read_progress() const { return setting(mgdt_get_read_progress) != 0; }
     [[nodiscard]] bool canonical_output() const { return setting(mgdt_get_canonical_output) != 0; }
 
     /* Points. @throw Cancelled, OutOfMemory, Error, and what the progress callback throws */
 
     /** mgdt_insert_points(). */
     void insert(Points points) {
-        finish(mgdt_insert_points(get(), static_cast<std::int64_t>(points.count()), points.data()));
+        require(
+            mgdt_insert_points(get(), static_cast<std::int64_t>(points.count()), points.data()));
     }
     /** Inserts the points of a list: `t.insert({{0, 0, 0}, {1, 0, 0}})`. */
     void insert(std::initializer_list<Point> points) { insert(Points(points)); }
@@ -138,7 +143,7 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
      *  mgdt_insert_points_strided(). */
     void insert_strided(std::size_t n, const double* x, const double* y, const double* z,
                         std::int64_t stride) {
-        finish(mgdt_insert_points_strided(get(), static_cast<std::int64_t>(n), x, y, z, stride));
+        require(mgdt_insert_points_strided(get(), static_cast<std::int64_t>(n), x, y, z, stride));
     }
 
     /* Removal and motion of points, which are given by their indices in any contiguous container of
@@ -151,9 +156,9 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
         const auto list = detail::row_of(points);
         const auto n = static_cast<std::int64_t>(list.size());
         if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
-            finish(mgdt_remove_points(get(), n, list.data()));
+            require(mgdt_remove_points(get(), n, list.data()));
         else
-            finish(mgdt_remove_points_i32(get(), n, list.data()));
+            require(mgdt_remove_points_i32(get(), n, list.data()));
     }
     void remove(std::initializer_list<std::int64_t> points) {
         remove(Span<const std::int64_t>(points.begin(), points.size()));
@@ -170,9 +175,9 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
         if (list.empty()) return;
         const auto n = static_cast<std::int64_t>(list.size());
         if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
-            finish(mgdt_move_points(get(), n, list.data(), places.data()));
+            require(mgdt_move_points(get(), n, list.data(), places.data()));
         else
-            finish(mgdt_move_points_i32(get(), n, list.data(), places.data()));
+            require(mgdt_move_points_i32(get(), n, list.data(), places.data()));
     }
     void move(std::initializer_list<std::int64_t> points, Points places) {
         move(Span<const std::int64_t>(points.begin(), points.size()), places);
@@ -180,8 +185,8 @@ class Triangulation : public detail::Worker<detail::TriangulationCalls> {
     /** Moves all points, in the order of their indices; coordinates of removed points are
      *  ignored. */
     void move(Points places) {
-        finish(mgdt_move_points(get(), static_cast<std::int64_t>(places.count()), nullptr,
-                                places.data()));
+        require(mgdt_move_points(get(), static_cast<std::int64_t>(places.count()), nullptr,
+                                 places.data()));
     }
     /** The new index of each point, or none; mgdt_renumber_points(). @throw Error,
      *  std::bad_alloc (the vector's) */

@@ -46,14 +46,15 @@ struct VoronoiCalls {
 class Voronoi : public detail::Results<detail::VoronoiCalls, detail::Owner<detail::VoronoiCalls>> {
   public:
     /** Makes the diagram; mgdt_voronoi_create(). Cells are clipped to the planes a b c d, to where
-     *  a x + b y + c z <= d. @throw OutOfMemory, Error */
+     *  a x + b y + c z <= d. @throw Cancelled, OutOfMemory, Error, and what the progress callback
+     *  throws */
     explicit Voronoi(const Triangulation& t,
                      const std::vector<std::array<double, 4>>& planes = {}) {
         mgdt_voronoi* made = nullptr;
         const mgdt_status status =
             mgdt_voronoi_create(t.handle(), static_cast<std::int64_t>(planes.size()),
                                 planes.empty() ? nullptr : planes[0].data(), &made);
-        if (status != MGDT_OK) detail::throw_failure(status, t.last_error());
+        t.require(status);
         *this = Voronoi(made);
     }
     /** Takes ownership of a handle of the C interface. */

@@ -28,6 +28,8 @@ module Mgdt
     [:mgdt_set_progress, %i[pointer progress pointer], :int32, false],
     [:mgdt_get_progress, %i[pointer pointer pointer], :int32, false],
     [:mgdt_cancel, %i[pointer], :int32, false],
+    [:mgdt_set_read_progress, %i[pointer int32], :int32, false],
+    [:mgdt_get_read_progress, %i[pointer pointer], :int32, false],
     [:mgdt_set_canonical_output, %i[pointer int32], :int32, false],
     [:mgdt_get_canonical_output, %i[pointer pointer], :int32, false],
     [:mgdt_set_isa, %i[pointer string], :int32, false],

@@ -297,6 +297,8 @@ extern "C" {
         user: *mut *mut c_void,
     ) -> mgdt_status;
     pub fn mgdt_cancel(t: *mut mgdt_triangulation) -> mgdt_status;
+    pub fn mgdt_set_read_progress(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
+    pub fn mgdt_get_read_progress(t: *const mgdt_triangulation, on: *mut i32) -> mgdt_status;
     pub fn mgdt_set_canonical_output(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
     pub fn mgdt_get_canonical_output(t: *const mgdt_triangulation, on: *mut i32) -> mgdt_status;
     pub fn mgdt_set_isa(t: *mut mgdt_triangulation, name: *const c_char) -> mgdt_status;

@@ -171,6 +171,13 @@ impl Triangulation {
         self.ensure(status)
     }
 
+    /// Whether a [`Canceller`](crate::Canceller) stops calls that only read, such as `check`, too.
+    /// Since 1.3.
+    pub fn set_read_progress(&mut self, on: bool) -> Result<(), Error> {
+        let status = unsafe { sys::mgdt_set_read_progress(self.raw_mut(), i32::from(on)) };
+        self.ensure(status)
+    }
+
     /// Compact storage: 30 % less memory, 20 to 40 % more time. At any time; what it gives
     /// back, `false` needs again, and if that is refused nothing has changed. Since 1.1.
     pub fn set_compact(&mut self, on: bool) -> Result<(), Error> {
@@ -235,6 +242,11 @@ impl Triangulation {
             0 => None,
             bytes => Some(bytes as usize),
         }
+    }
+
+    /// Whether calls that only read can be cancelled. Since 1.3.
+    pub fn read_progress(&self) -> bool {
+        self.setting(sys::mgdt_get_read_progress) != 0
     }
 
     /// Whether storage is compact. Since 1.2.

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The progress of a long call that has stages. Its caller receives reports and may cancel the call.
+#pragma once
+
+#include <cstddef>
+
+#include "platform/call_settings.hpp"
+#include "platform/callback.hpp"
+#include "platform/compiler.hpp"
+#include "platform/stop_request.hpp"
+
+namespace mgdt {
+
+class StageProgress {
+  public:
+    // Reports to the function that the settings name now.
+    StageProgress(const CallSettings& settings, StopFlag& stop) noexcept
+        : StageProgress(settings.progress, settings.progress_user, stop) {}
+
+    // For a call within the call, which reports nothing and may be cancelled.
+    StageProgress quiet() const noexcept { return {nullptr, nullptr, stop_}; }
+    // For a call within the call, which has stages of its own. In these, the progress of the whole
+    // call goes from `from` to `to`.
+    StageProgress within(double from, double to) const noexcept {
+        StageProgress inner = *this;
+        inner.begin_ = inner.from_ = at(from);
+        inner.end_ = inner.to_ = at(to);
+        return inner;
+    }
+    StopRequest stop_request() const noexcept { return stop_.request(); }
+    // Passes this share of what remains. Stages that are entered later, from 0 to 1, divide the
+    // rest.
+    void leave_behind(double share) { begin_ = at(share); }
+    // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
+    void enter(double from, double to) {
+        from_ = at(from);
+        to_ = at(to);
+        report(0);
+    }
+    // Reports a fraction of the stage. Throws MGDT_ERR_CANCELLED if there is a request to stop.
+    void report(double fraction) {
+        tell(fraction);
+        stop_.request().poll();
+    }
+    // Looks for a request to stop, and throws as report() does. Called by a member of a team that
+    // has done this part of its share. Member 0 is on the calling thread, and its share is the
+    // stage.
+    MGDT_NOT_INLINE void look(std::size_t done, std::size_t all, unsigned member) {
+        stop_.request().poll();
+        if (member != 0 || !tell_) return;
+        // About a hundred reports of the whole call.
+        const double fraction = static_cast<double>(done) / static_cast<double>(all);
+        if (from_ + fraction * (to_ - from_) >= told_ + 0.01) report(fraction);
+    }
+    // Step i of a loop from `begin` to `end`, the share of a member. Looks in some of the steps.
+    void step(std::size_t i, std::size_t begin, std::size_t end, unsigned member = 0) {
+        constexpr std::size_t interval = 256;
+        if ((i - begin) % interval == 0) look(i - begin, end - begin, member);
+    }
+    // Reports that everything is done. It is too late to cancel.
+    void finish() {
+        if (tell_) call_back<std::int32_t>(1, [&] { return tell_(1, user_); });
+    }
+    // Runs an insertion into a triangulation with these settings. The progress of the insertion is
+    // share i of n of the stage.
+    template <class Insert>
+    void watch(CallSettings& settings, std::size_t i, std::size_t n, const Insert& insert) {
+        Share share{*this, static_cast<double>(i), static_cast<double>(n)};
+        settings.progress_user = &share;
+        settings.progress = [](double fraction, void* user) -> std::int32_t {
+            const Share& s = *static_cast<const Share*>(user);
+            s.progress.tell((s.first + fraction) / s.count);
+            return s.progress.stop_.is_set() ? 1 : 0;
+        };
+        const Unset unset{settings};
+        insert();
+    }
+
+  private:
+    StageProgress(mgdt_progress_fn tell, void* user, StopFlag& stop) noexcept
+        : tell_(tell), user_(user), stop_(stop) {}
+
+    struct Share {
+        StageProgress& progress;
+        double first, count;
+    };
+    struct Unset {
+        CallSettings& settings;
+        ~Unset() { settings.progress = nullptr; }
+    };
+    double at(double fraction) const noexcept { return begin_ + fraction * (end_ - begin_); }
+    void tell(double fraction) {
+        if (!tell_) return;
+        told_ = from_ + fraction * (to_ - from_);
+        if (call_back<std::int32_t>(1, [&] { return tell_(told_, user_); }) != 0) stop_.set();
+    }
+
+    mgdt_progress_fn tell_;
+    void* user_;
+    StopFlag& stop_;
+    // In the progress of the whole call: the range of the stages, that of the stage, and what was
+    // reported last.
+    double begin_ = 0, end_ = 1, from_ = 0, to_ = 1, told_ = -1;
+};
+
+}  // namespace mgdt
