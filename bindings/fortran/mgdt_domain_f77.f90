@@ -77,6 +77,34 @@ subroutine mgdgop(h, key, ival, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_domain), ival, ierr)
 end subroutine
 
+! The most memory that the domain may hold, in bytes; 0 for no limit. A real number, since a limit
+! may not fit an INTEGER.
+subroutine mgdmem(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: bytes
+    integer, intent(out) :: ierr
+
+    ierr = mgdt_err_invalid_argument
+    if (.not. (bytes >= 0 .and. bytes < 2.0_c_double**62)) return
+    ierr = c_domain_set_option(handle_of(h, of_domain), to_c(mgdt_domain_option_memory_limit), &
+                              int(bytes, c_int64_t))
+end subroutine
+
+! That limit.
+subroutine mgdgme(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout) :: bytes
+    integer, intent(out) :: ierr
+    integer(c_int64_t) :: found
+
+    ierr = c_domain_get_option(handle_of(h, of_domain), to_c(mgdt_domain_option_memory_limit), found)
+    if (ierr == mgdt_ok) bytes = real(found, c_double)
+end subroutine
+
 ! Subroutine SUB(FRAC, ICANC) hears of progress and may cancel.
 subroutine mgdprg(h, sub, ierr)
     use mgdt_f77_support

@@ -25,7 +25,7 @@ subroutine mgufre(h, ierr)
     call pack_handle(c_null_ptr, h)
 end subroutine
 
-! Option KEY, MGUBAS to MGUMEM.
+! Option KEY, MGUBAS to MGULIM.
 subroutine mguopt(h, key, ival, ierr)
     use mgdt_f77_support
     implicit none
@@ -50,6 +50,34 @@ subroutine mgugop(h, key, ival, ierr)
 
     ierr = c_mesh_get_option(handle_of(h, of_mesh), to_c(key), found)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_mesh), ival, ierr)
+end subroutine
+
+! The most memory that the mesh may hold, in bytes; 0 for no limit. A real number, since a limit
+! may not fit an INTEGER.
+subroutine mgumem(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: bytes
+    integer, intent(out) :: ierr
+
+    ierr = mgdt_err_invalid_argument
+    if (.not. (bytes >= 0 .and. bytes < 2.0_c_double**62)) return
+    ierr = c_mesh_set_option(handle_of(h, of_mesh), to_c(mgdt_mesh_option_memory_limit), &
+                              int(bytes, c_int64_t))
+end subroutine
+
+! That limit.
+subroutine mgugme(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout) :: bytes
+    integer, intent(out) :: ierr
+    integer(c_int64_t) :: found
+
+    ierr = c_mesh_get_option(handle_of(h, of_mesh), to_c(mgdt_mesh_option_memory_limit), found)
+    if (ierr == mgdt_ok) bytes = real(found, c_double)
 end subroutine
 
 ! Subroutine SUB(FRAC, ICANC) hears of progress and may cancel.

@@ -63,7 +63,7 @@ subroutine mgbclr(h, ierr)
     ierr = c_periodic_clear(handle_of(h, of_periodic))
 end subroutine
 
-! Option KEY, MGBBAS to MGBMEM.
+! Option KEY, MGBBAS to MGBLIM.
 subroutine mgbopt(h, key, ival, ierr)
     use mgdt_f77_support
     implicit none
@@ -88,6 +88,34 @@ subroutine mgbgop(h, key, ival, ierr)
 
     ierr = c_periodic_get_option(handle_of(h, of_periodic), to_c(key), found)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_periodic), ival, ierr)
+end subroutine
+
+! The most memory that the box may hold, in bytes; 0 for no limit. A real number, since a limit
+! may not fit an INTEGER.
+subroutine mgbmem(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: bytes
+    integer, intent(out) :: ierr
+
+    ierr = mgdt_err_invalid_argument
+    if (.not. (bytes >= 0 .and. bytes < 2.0_c_double**62)) return
+    ierr = c_periodic_set_option(handle_of(h, of_periodic), to_c(mgdt_periodic_option_memory_limit), &
+                              int(bytes, c_int64_t))
+end subroutine
+
+! That limit.
+subroutine mgbgme(h, bytes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout) :: bytes
+    integer, intent(out) :: ierr
+    integer(c_int64_t) :: found
+
+    ierr = c_periodic_get_option(handle_of(h, of_periodic), to_c(mgdt_periodic_option_memory_limit), found)
+    if (ierr == mgdt_ok) bytes = real(found, c_double)
 end subroutine
 
 ! The distance within which points become equal in later builds; 0 for none.

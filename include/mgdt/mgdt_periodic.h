@@ -303,11 +303,12 @@ MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int
                                                      int64_t capacity, double* x);
 
 /** Makes the Voronoi diagram of the points, a handle as mgdt_voronoi_create() makes it. Each point
- *  has its cell where the caller has put it. Two cells share a face if they meet as they are; a
- *  cell that meets an image of another one, or of itself, has that face for itself. The first side
- *  of a face is then the cell's own point, the second one the point whose image is on the other
- *  side, and MGDT_VORONOI_ARRAY_FACE_SHIFTS has the shifts of the images. The diagram takes its
- *  memory from the same functions and has the same memory limit for itself.
+ *  has its cell where the caller has put it. Two cells share a face if they meet as they are. A
+ *  cell that meets an image of another one, or of itself, has a face of its own: such a face
+ *  appears once for each side, as two faces whose shifts are opposite. The first side of each of
+ *  them is the point of the cell, the second one the point whose image is on the other side, and
+ *  MGDT_VORONOI_ARRAY_FACE_SHIFTS has the shifts. The diagram takes its memory from the same
+ *  functions and has the same memory limit for itself.
  *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the box
  *                   (mgdt_periodic_get_error())
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (the
