@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/degenerate_points.hpp"
 
+#include "platform/hash.hpp"
+
 namespace mgdt {
 
 std::uint32_t DegeneratePoints::number(const Mesh& mesh, const double* p) noexcept {

@@ -3,6 +3,7 @@
 
 #include "domain/polygon.hpp"
 #include "platform/error.hpp"
+#include "platform/hash.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {

@@ -4,6 +4,7 @@
 
 #include "domain/box_tree.hpp"
 #include "mesh/facet_turns.hpp"
+#include "platform/hash.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -37,29 +38,21 @@ class OpenFaces {
         face.is_open = true;
         table_.reserve(faces_.size() + 1);
         faces_.push_back(face);
-        return table_.number(hash(face.v), [](std::uint32_t) { return false; });
+        return table_.number(hash_of_words(face.v[0], face.v[1], face.v[2]),
+                             [](std::uint32_t) { return false; });
     }
     void close(std::uint32_t i) noexcept { faces_[i].is_open = false; }
     // The open face with these corners, seen from its other side; or `none`.
     std::uint32_t find_opposite(std::uint32_t a, std::uint32_t b, std::uint32_t c) const noexcept {
         std::uint32_t v[3] = {a, c, b};
         turn_to_least(v);
-        return table_.find(hash(v), [&](std::uint32_t i) {
+        return table_.find(hash_of_words(v[0], v[1], v[2]), [&](std::uint32_t i) {
             const Face& f = faces_[i];
             return f.is_open && f.v[0] == v[0] && f.v[1] == v[1] && f.v[2] == v[2];
         });
     }
 
   private:
-    static std::uint32_t hash(const std::uint32_t (&v)[3]) noexcept {
-        std::uint64_t h = 0;
-        for (const std::uint32_t of : v) {
-            h = (h ^ of) * 0x9E3779B97F4A7C15u;
-            h ^= h >> 29;
-        }
-        return static_cast<std::uint32_t>(h ^ h >> 32);
-    }
-
     Buffer<Face> faces_;
     NumberTable table_;
 };

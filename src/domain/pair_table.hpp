@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "platform/hash.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -42,9 +43,7 @@ class PairTable {
         return one.a == other.a && one.b == other.b;
     }
     static std::uint32_t hash(const Pair& pair) noexcept {
-        std::uint64_t h = (std::uint64_t{pair.a} << 32 | pair.b) * 0x9E3779B97F4A7C15u;
-        h ^= h >> 29;
-        return static_cast<std::uint32_t>(h ^ h >> 32);
+        return hash_of_words(std::uint64_t{pair.a} << 32 | pair.b);
     }
 
     Buffer<Pair> pairs_;

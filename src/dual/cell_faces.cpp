@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/facet_turns.hpp"
+#include "platform/hash.hpp"
 
 namespace mgdt {
 
@@ -160,10 +161,7 @@ void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell&
 // Numbers the corners. Each corner belongs to three faces, and each of the faces gives its three
 // planes in the same cyclic order.
 void CellFaces::number_corners() {
-    std::size_t slots = 16;
-    while (slots < edges_.size()) slots *= 2;
-    slots_.clear();
-    slots_.resize(slots, 0);
+    corner_numbers_.clear(edges_.size());
     corners_.clear();
     corner_of_edge_.resize(edges_.size());
     for (const Face& face : faces_)
@@ -176,21 +174,12 @@ void CellFaces::number_corners() {
 }
 
 std::uint32_t CellFaces::corner_number(const Corner& corner) {
-    const auto is_it = [&](const Corner& c) {
-        return std::equal(c.plane, c.plane + 3, corner.plane);
-    };
-    const std::uint64_t hash = (corner.plane[0] * std::uint64_t{0x9E3779B97F4A7C15}) ^
-                               (corner.plane[1] * std::uint64_t{0xC2B2AE3D27D4EB4F}) ^
-                               (corner.plane[2] * std::uint64_t{0x165667B19E3779F9});
-    std::size_t slot = hash >> 32;
-    for (;; ++slot) {
-        std::uint32_t& of_slot = slots_[slot & (slots_.size() - 1)];
-        if (of_slot == 0) {
-            corners_.push_back(corner);
-            return (of_slot = static_cast<std::uint32_t>(corners_.size())) - 1;
-        }
-        if (is_it(corners_[of_slot - 1])) return of_slot - 1;
-    }
+    const PlaneNumber* const plane = corner.plane;
+    const std::uint32_t number = corner_numbers_.number(
+        hash_of_words(plane[0], plane[1], plane[2]),
+        [&](std::uint32_t i) { return std::equal(plane, plane + 3, corners_[i].plane); });
+    if (number == corners_.size()) corners_.push_back(corner);
+    return number;
 }
 
 }  // namespace mgdt

@@ -7,6 +7,7 @@
 #include "dual/exact_polygon.hpp"
 #include "dual/overlap.hpp"
 #include "dual/region.hpp"
+#include "platform/number_table.hpp"
 
 namespace mgdt {
 
@@ -19,7 +20,7 @@ class CellFaces {
           edges_(allocator),
           corner_of_edge_(allocator),
           corners_(allocator),
-          slots_(allocator),
+          corner_numbers_(allocator),
           first_(allocator),
           order_(allocator),
           rank_(allocator),
@@ -75,8 +76,7 @@ class CellFaces {
     Buffer<PlaneNumber> edges_;
     Buffer<std::uint32_t> corner_of_edge_;
     Buffer<Corner> corners_;
-    // A hash table of corners by their planes; an entry is the corner's number plus 1.
-    Buffer<std::uint32_t> slots_;
+    NumberTable corner_numbers_;   // by the corners' planes
     Buffer<std::uint32_t> first_;  // for each neighbour the triangle where its ring starts
     Buffer<std::uint32_t> order_;  // the neighbour of each plane
     Buffer<PlaneNumber> rank_;     // the plane of each neighbour

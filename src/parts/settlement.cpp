@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "parts/post.hpp"
+#include "platform/hash.hpp"
 #include "platform/number_table.hpp"
 #include "platform/random.hpp"
 

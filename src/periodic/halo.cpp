@@ -7,6 +7,7 @@
 
 #include "kernel/circumsphere.hpp"
 #include "periodic/halo_round.hpp"
+#include "platform/hash.hpp"
 
 namespace mgdt {
 namespace {
@@ -14,9 +15,7 @@ namespace {
 std::uint32_t hash_of(const Image& image) {
     std::uint32_t of;
     std::memcpy(&of, image.of, sizeof of);
-    std::uint64_t h = (std::uint64_t{image.point} << 32 | of) * 0x9E3779B97F4A7C15u;
-    h ^= h >> 29;
-    return static_cast<std::uint32_t>((h * 0xBF58476D1CE4E5B9u) >> 32);
+    return hash_of_words(std::uint64_t{image.point} << 32 | of);
 }
 
 bool are_equal(const Image& a, const Image& b) {
@@ -65,7 +64,7 @@ std::uint32_t Halo::class_of(const Tetrahedron& tetrahedron) {
     const Multiples first = its.corners[0].multiples();
     for (Image& corner : its.corners) {
         corner = image_of(corner.point, corner.multiples() - first);
-        hash = (hash ^ hash_of(corner)) * 0x9E3779B1u;
+        hash = hash_of_words(hash, hash_of(corner));
     }
     class_numbers_.reserve(classes_.size() + 1);
     const std::uint32_t number = class_numbers_.number(hash ^ hash >> 15, [&](std::uint32_t i) {

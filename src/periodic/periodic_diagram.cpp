@@ -7,6 +7,7 @@
 #include "mesh/facet_turns.hpp"
 #include "mesh/scale.hpp"
 #include "periodic/periodic_cells.hpp"
+#include "platform/hash.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/predicates.hpp"
 #include "voronoi/voronoi.hpp"
@@ -50,10 +51,7 @@ class TranslatedNumbers {
 
   private:
     static std::uint32_t hash_of(const Translated& key) {
-        std::uint64_t h = key.number * 0x9E3779B97F4A7C15u;
-        for (const std::int32_t k : key.shift)
-            h = (h ^ static_cast<std::uint32_t>(k)) * 0xBF58476D1CE4E5B9u;
-        return static_cast<std::uint32_t>(h >> 32);
+        return hash_of_words(key.number, key.shift[0], key.shift[1], key.shift[2]);
     }
 
     const Multiples common_;

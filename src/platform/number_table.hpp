@@ -6,31 +6,17 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "platform/memory.hpp"
 
 namespace mgdt {
 
-// A hash of three coordinates. The coordinates 0 and -0 have the same hash.
-inline std::uint32_t hash_of_coordinates(const double* x) noexcept {
-    std::uint64_t h = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double one_zero = x[k] + 0.0;
-        std::uint64_t bits;
-        std::memcpy(&bits, &one_zero, sizeof bits);
-        h = (h ^ bits) * 0x9E3779B97F4A7C15u;
-        h ^= h >> 29;
-    }
-    return static_cast<std::uint32_t>(h ^ h >> 32);
-}
-
 // Gives items the numbers 0, 1, 2, ... in the order in which they come. The items are stored
-// elsewhere; the table knows the 32-bit hashes of their keys. It is open-addressed with linear
-// probing, so different keys should differ in the lowest bits of their hashes. To empty the table,
-// clear() raises `first_`, the least number of an entry in use, and writes no entries, unless the
-// table must grow or the numbers run out.
+// elsewhere; the table knows the 32-bit hashes of their keys (hash.hpp). It is open-addressed with
+// linear probing, so different keys should differ in the lowest bits of their hashes. To empty the
+// table, clear() raises `first_`, the least number of an entry in use, and writes no entries,
+// unless the table must grow or the numbers run out.
 class NumberTable {
   public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;

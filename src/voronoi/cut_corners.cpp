@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/scale.hpp"
+#include "platform/hash.hpp"
 
 namespace mgdt {
 namespace {
@@ -13,12 +14,7 @@ bool are_equal(const CutCorners::Key& a, const CutCorners::Key& b) {
 }
 
 std::uint32_t hash_of(const CutCorners::Key& key) {
-    std::uint64_t h = 0;
-    for (const std::uint32_t of : key.of) {
-        h = (h ^ of) * 0x9E3779B97F4A7C15u;
-        h ^= h >> 29;
-    }
-    return static_cast<std::uint32_t>(h ^ h >> 32);
+    return hash_of_words(key.of[0], key.of[1], key.of[2], key.of[3]);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/numbers.hpp"
+#include "platform/hash.hpp"
 
 namespace mgdt {
 namespace {
