@@ -5,33 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mesh/box_nodes.hpp"
 #include "parallel/team.hpp"
-#include "platform/memory.hpp"
 #include "platform/stage_progress.hpp"
 
 namespace mgdt {
-
-// A box with its boundary, parallel to the axes.
-struct BoundingBox {
-    double low[3], high[3];
-
-    BoundingBox() = default;
-    explicit BoundingBox(const double* point) {
-        std::copy_n(point, 3, low);
-        std::copy_n(point, 3, high);
-    }
-    void include(const BoundingBox& other) {
-        for (int k = 0; k < 3; ++k) {
-            low[k] = std::min(low[k], other.low[k]);
-            high[k] = std::max(high[k], other.high[k]);
-        }
-    }
-    bool overlaps(const BoundingBox& other) const {
-        for (int k = 0; k < 3; ++k)
-            if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
-        return true;
-    }
-};
 
 class BoxTree {
   public:
@@ -52,16 +30,9 @@ class BoxTree {
   private:
     static constexpr std::uint32_t most_in_leaf = 6;
 
-    // A node has the boxes order_[begin] to order_[end - 1]. Its first child is the next node.
-    struct Node {
-        BoundingBox box;
-        std::uint32_t begin, end;
-        std::uint32_t second;  // the other child; 0 in a leaf
-    };
     struct Pair {
         std::uint32_t a, b;  // two nodes, or a node with itself
     };
-    std::uint32_t make(std::uint32_t begin, std::uint32_t end);
     // Replaces a pair of nodes by pairs of their children. Returns false if both are leaves.
     bool divide(Pair pair, Buffer<Pair>& into) const;
     template <class F>
@@ -71,12 +42,12 @@ class BoxTree {
     const Buffer<BoundingBox>& boxes_;
     const StopRequest stop_;
     Buffer<std::uint32_t> order_;
-    Buffer<Node> nodes_;
+    Buffer<BoxNode> nodes_;
 };
 
 template <class F>
 void BoxTree::compare_leaves(Pair pair, F f) const {
-    const Node &a = nodes_[pair.a], &b = nodes_[pair.b];
+    const BoxNode &a = nodes_[pair.a], &b = nodes_[pair.b];
     for (std::uint32_t i = a.begin; i < a.end; ++i)
         for (std::uint32_t j = pair.a == pair.b ? i + 1 : b.begin; j < b.end; ++j)
             if (const std::uint32_t k = order_[i], l = order_[j]; boxes_[k].overlaps(boxes_[l]))
@@ -89,10 +60,10 @@ void BoxTree::for_each_at(const BoundingBox& box, F f) const {
     if (!nodes_.empty()) stack.push_back(0);
     while (!stack.empty()) {
         const std::uint32_t number = stack.back();
-        const Node& node = nodes_[number];
+        const BoxNode& node = nodes_[number];
         stack.pop_back();
         if (!node.box.overlaps(box)) continue;
-        if (node.second != 0) {
+        if (!node.is_leaf()) {
             stack.push_back(node.second);
             stack.push_back(number + 1);
             continue;

@@ -6,7 +6,7 @@
 
 #include "domain/missing_segment.hpp"
 #include "domain/split_place.hpp"
-#include "mesh/star_traversal.hpp"
+#include "query/star.hpp"
 
 namespace mgdt {
 namespace {
@@ -201,10 +201,7 @@ class Splitting {
         const auto count = static_cast<std::uint32_t>(points_.size() / 3);
         for (std::uint32_t p = first_new_; p < count; ++p) {
             const VertexId v = triangulation_.point_map()[p];
-            star.clear();
-            star.push(where.tetrahedron_of(v));
-            traverse_star(mesh, v, star,
-                          [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+            gather_star(where, v, star);
             work_ += star.size();
             for (std::size_t i = 0; i < star.size(); ++i)
                 for (const VertexId u : mesh.tetrahedra[star[i]].v)

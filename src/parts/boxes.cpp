@@ -8,20 +8,6 @@
 
 namespace mgdt {
 
-PointBox empty_box() {
-    PointBox box;
-    std::fill_n(box.low, 3, infinity);
-    std::fill_n(box.high, 3, -infinity);
-    return box;
-}
-
-void add(PointBox& box, const double* x) {
-    for (int k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], x[k]);
-        box.high[k] = std::max(box.high[k], x[k]);
-    }
-}
-
 struct Boxes::Place {
     double x[3];
 };
@@ -32,7 +18,7 @@ struct Boxes::Split {
 };
 
 // A sample of the points determines the splits; the boxes enclose all points.
-void Boxes::divide(const PartPoint* points, std::size_t n, PointBox* nodes) const {
+void Boxes::divide(const PartPoint* points, std::size_t n, BoundingBox* nodes) const {
     constexpr std::size_t sample_of_leaf = 16;
     Allocator& allocator = nodes_.allocator();
     const std::size_t count = std::min(n, sample_of_leaf * leaves_);
@@ -40,24 +26,23 @@ void Boxes::divide(const PartPoint* points, std::size_t n, PointBox* nodes) cons
     for (std::size_t k = 0; k < count; ++k) std::copy_n(points[n * k / count].x, 3, sample[k].x);
     Buffer<Split> splits(allocator, leaves_);
     split(sample.begin(), sample.end(), 1, leaves_, splits.data());
-    std::fill_n(nodes, 2 * leaves_, empty_box());
+    std::fill_n(nodes, 2 * leaves_, BoundingBox::empty());
     for (const PartPoint* p = points; p < points + n; ++p) {
         std::size_t i = 1;
         while (i < leaves_) i = 2 * i + (p->x[splits[i].axis] < splits[i].at ? 0 : 1);
-        add(nodes[i], p->x);
+        nodes[i].include(p->x);
     }
     for (std::size_t i = leaves_; --i > 0;)
         for (const std::size_t half : {2 * i, 2 * i + 1}) {
             if (nodes[half].is_empty()) continue;
-            add(nodes[i], nodes[half].low);
-            add(nodes[i], nodes[half].high);
+            nodes[i].include(nodes[half]);
         }
 }
 
 void Boxes::split(Place* begin, Place* end, std::size_t i, std::size_t leaves, Split* splits) {
     if (i >= leaves) return;
-    PointBox box = empty_box();
-    for (const Place* p = begin; p < end; ++p) add(box, p->x);
+    BoundingBox box = BoundingBox::empty();
+    for (const Place* p = begin; p < end; ++p) box.include(p->x);
     unsigned axis = 0;
     for (unsigned k = 1; k < 3; ++k)
         if (0.5 * box.high[k] - 0.5 * box.low[k] > 0.5 * box.high[axis] - 0.5 * box.low[axis])
@@ -73,15 +58,15 @@ void Boxes::split(Place* begin, Place* end, std::size_t i, std::size_t leaves, S
     split(middle, end, 2 * i + 1, leaves, splits);
 }
 
-void Boxes::gather(Collective& all, const Buffer<PointBox>& nodes) {
+void Boxes::gather(Collective& all, const Buffer<BoundingBox>& nodes) {
     of_division_.resize(parts_);
     all.gather(nodes, nodes_);
     each_division(0, parts_, [&](PartId first, PartId middle, PartId last) {
-        PointBox& box = of_division_[middle] = empty_box();
+        BoundingBox& box = of_division_[middle] = BoundingBox::empty();
         for (PartId p = first; p < last; ++p) {
             if (node(p, 1).is_empty()) continue;
-            add(box, node(p, 1).low);
-            add(box, node(p, 1).high);
+            box.include(node(p, 1).low);
+            box.include(node(p, 1).high);
         }
     });
 }
@@ -90,7 +75,7 @@ void Boxes::gather(Collective& all, const Buffer<PointBox>& nodes) {
 // sum of one parabola per axis, so its minimum over a box is the sum of the minima of the
 // parabolas. s.e bounds the error of each coordinate of w. The other terms are generous bounds for
 // rounding and underflow, since a box that is visited needlessly costs little.
-bool Boxes::meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale) {
+bool Boxes::meets_ball(const BoundingBox& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
         if (scale != 0 &&
@@ -124,7 +109,7 @@ Boxes::Facet::Facet(const double* a_, const double* b_, const double* c_, const 
 
 // Whether a corner of the box is beyond the facet. The corner farthest along the normal is tested
 // in doubles first: for most boxes it is on the inner side by more than the rounding error.
-bool Boxes::is_beyond(const PointBox& box, const Facet& f) {
+bool Boxes::is_beyond(const BoundingBox& box, const Facet& f) {
     double farthest = 0, sizes = 0, reach = 1;
     for (int k = 0; k < 3; ++k) {
         const double y = (f.normal[k] > 0 ? box.high : box.low)[k] - f.a[k];

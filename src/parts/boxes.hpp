@@ -5,17 +5,11 @@
 #pragma once
 
 #include "kernel/circumsphere.hpp"
+#include "mesh/bounding_box.hpp"
 #include "parts/homes.hpp"
 #include "parts/part_point.hpp"
 
 namespace mgdt {
-
-struct PointBox {
-    double low[3], high[3];
-    bool is_empty() const { return !(low[0] <= high[0]); }
-};
-PointBox empty_box();
-void add(PointBox& box, const double* x);
 
 // The boxes of a part are around all its points, around each half of them, each quarter, and so on.
 // Small boxes fit curves and surfaces closely.
@@ -31,15 +25,15 @@ class Boxes {
     std::size_t size() const { return 2 * leaves_; }
     // Makes the boxes of a part. Box 1 is around all points; the halves of box i are 2 i and 2 i
     // + 1.
-    void divide(const PartPoint* points, std::size_t n, PointBox* nodes) const;
+    void divide(const PartPoint* points, std::size_t n, BoundingBox* nodes) const;
     // Collective. Takes the boxes of the local parts, and distributes them to all processes.
-    void gather(Collective& all, const Buffer<PointBox>& nodes);
+    void gather(Collective& all, const Buffer<BoundingBox>& nodes);
 
     // Calls visit(part) for each part with a box that meets a ball. The sphere `s` is relative to
     // `base`; boxes are multiplied by 2^scale.
     template <class Visit>
     void each_in_ball(const Sphere& s, const double* base, int scale, const Visit& visit) const {
-        each_that(visit, [&](const PointBox& box) { return meets_ball(box, s, base, scale); });
+        each_that(visit, [&](const BoundingBox& box) { return meets_ball(box, s, base, scale); });
     }
     // Calls visit(part) for each part with a box that reaches strictly beyond the plane of a, b and
     // c. `inner` is a point on the inner side. Coordinates are not scaled.
@@ -47,10 +41,10 @@ class Boxes {
     void each_beyond(const double* a, const double* b, const double* c, const double* inner,
                      const Visit& visit) const {
         const Facet facet(a, b, c, inner);
-        each_that(visit, [&](const PointBox& box) { return is_beyond(box, facet); });
+        each_that(visit, [&](const BoundingBox& box) { return is_beyond(box, facet); });
     }
 
-    static bool meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale);
+    static bool meets_ball(const BoundingBox& box, const Sphere& s, const double* base, int scale);
     // The plane of a hull facet. If rounding leaves the side of a point undecided, the exact
     // orientation of a, b, c and the point decides.
     struct Facet {
@@ -60,7 +54,7 @@ class Boxes {
         double normal[3];    // pointing outwards, rounded
         double products[3];  // the sum of the magnitudes of the two products in each component
     };
-    static bool is_beyond(const PointBox& box, const Facet& facet);
+    static bool is_beyond(const BoundingBox& box, const Facet& facet);
 
   private:
     static constexpr std::size_t most_leaves = 512, least_leaves = 16, most_boxes = 65536;
@@ -83,7 +77,7 @@ class Boxes {
         each_among(first, middle, visit, test);
         each_among(middle, last, visit, test);
     }
-    const PointBox& node(PartId part, std::size_t i) const {
+    const BoundingBox& node(PartId part, std::size_t i) const {
         return nodes_[part * 2 * leaves_ + i];
     }
     template <class Test>
@@ -95,9 +89,9 @@ class Boxes {
 
     PartId parts_;
     std::size_t leaves_;
-    Buffer<PointBox> nodes_;  // the boxes of each part, one part after another
+    Buffer<BoundingBox> nodes_;  // the boxes of each part, one part after another
     // The box of each set of parts that is divided. The index is the part in the middle.
-    Buffer<PointBox> of_division_;
+    Buffer<BoundingBox> of_division_;
 };
 
 }  // namespace mgdt

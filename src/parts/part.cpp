@@ -48,7 +48,7 @@ void Part::begin(PartId self, std::int64_t first, const PartPoint* own, std::siz
     std::copy(own, own + n, points_.data());
     for (std::size_t i = 0; i < n; ++i) {
         points_[i].number = first + static_cast<std::int64_t>(i);
-        add(box_, own[i].x);
+        box_.include(own[i].x);
     }
 }
 

@@ -105,7 +105,7 @@ class Part {
     Buffer<PartPoint> points_;    // in the order of the triangulation's indices; own points first
     Buffer<std::int64_t> known_;  // the numbers of the other points, sorted
     std::size_t own_ = 0;
-    PointBox box_ = empty_box();
+    BoundingBox box_ = BoundingBox::empty();
 };
 
 }  // namespace mgdt

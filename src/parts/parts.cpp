@@ -102,7 +102,7 @@ void Parts::exchange(StageProgress& progress, bool one_at_a_time, Objects<Mail>&
 
 void Parts::gather_boxes() {
     const PartId local = collective_.local_parts();
-    Buffer<PointBox> boxes(allocator_, boxes_.size() * local);
+    Buffer<BoundingBox> boxes(allocator_, boxes_.size() * local);
     for (PartId p = 0; p < local; ++p)
         boxes_.divide(parts_[p].points(), parts_[p].own_count(), boxes.data() + boxes_.size() * p);
     boxes_.gather(collective_, boxes);

@@ -5,13 +5,12 @@
 
 #include "kernel/circumsphere.hpp"
 #include "mesh/scale.hpp"
-#include "mesh/star_traversal.hpp"
 #include "periodic/hull_walk.hpp"
 #include "periodic/rough_power.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
-#include "query/visit_queue.hpp"
+#include "query/star.hpp"
 
 namespace mgdt {
 namespace {
@@ -54,9 +53,7 @@ void Halo::Round::look_at_stars(std::size_t first) {
         stop_.poll_in_step(p);
         const VertexId v = triangulation.point_map()[p];
         if (mesh_.vertices[v].index != p) continue;
-        star.clear();
-        star.push(where.tetrahedron_of(v));
-        traverse_star(mesh_, v, star, [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+        gather_star(where, v, star);
         for (std::size_t i = 0; i < star.size(); ++i)
             if (mesh_.tetrahedra[star[i]].is_ghost() || leaves_shell(star[i])) look_at(star[i]);
     }

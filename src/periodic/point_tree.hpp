@@ -4,9 +4,8 @@
 
 #include <cstdint>
 
+#include "mesh/box_nodes.hpp"
 #include "periodic/rough_power.hpp"
-#include "platform/memory.hpp"
-#include "platform/stop_request.hpp"
 
 namespace mgdt {
 
@@ -36,8 +35,8 @@ class PointTree {
     // Calls f(begin, end) for each leaf.
     template <class F>
     void each_leaf(const F& f) const {
-        for (const Node& node : nodes_)
-            if (node.second == 0) f(node.begin, node.end);
+        for (const BoxNode& node : nodes_)
+            if (node.is_leaf()) f(node.begin, node.end);
     }
     // Finds the point that is deepest in a ball: of those that are inside for certain, the one with
     // the least power, if that is less than `least`, which becomes its power. Otherwise `deepest`
@@ -48,8 +47,8 @@ class PointTree {
     void search(const RoughPower& power, double& least, std::uint32_t& deepest,
                 const F& unsure) const {
         if (nodes_.empty()) return;
-        const double error = power.error_in(nodes_[0].low, nodes_[0].high);
-        if (!(power.least_in(nodes_[0].low, nodes_[0].high) > (least < 0 ? least : error)))
+        const double error = power.error_in(nodes_[0].box);
+        if (!(power.least_in(nodes_[0].box) > (least < 0 ? least : error)))
             search_in(0, power, error, least, deepest, unsure);
     }
 
@@ -58,27 +57,20 @@ class PointTree {
         double x[3];
         std::uint32_t number;
     };
-    // A node has points_[begin] to points_[end - 1]. Its first child is the next node.
-    struct Node {
-        double low[3], high[3];
-        std::uint32_t begin, end;
-        std::uint32_t second;  // the other child; 0 in a leaf
-    };
-    std::uint32_t make(std::uint32_t begin, std::uint32_t end, const StopRequest& stop);
     template <class F>
     void search_in(std::uint32_t number, const RoughPower& power, double error, double& least,
                    std::uint32_t& deepest, const F& unsure) const;
 
     Buffer<Point> points_;
-    Buffer<Node> nodes_;
+    Buffer<BoxNode> nodes_;
     const std::size_t most_in_leaf_;
 };
 
 template <class F>
 void PointTree::search_in(std::uint32_t number, const RoughPower& power, double error,
                           double& least, std::uint32_t& deepest, const F& unsure) const {
-    const Node& node = nodes_[number];
-    if (node.second == 0) {
+    const BoxNode& node = nodes_[number];
+    if (node.is_leaf()) {
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
             const double value = power.of(points_[i].x);
             if (value > (least < 0 ? least : error)) continue;
@@ -94,8 +86,7 @@ void PointTree::search_in(std::uint32_t number, const RoughPower& power, double 
     }
     std::uint32_t children[2] = {number + 1, node.second};
     double bounds[2];
-    for (unsigned i = 0; i < 2; ++i)
-        bounds[i] = power.least_in(nodes_[children[i]].low, nodes_[children[i]].high);
+    for (unsigned i = 0; i < 2; ++i) bounds[i] = power.least_in(nodes_[children[i]].box);
     if (bounds[1] < bounds[0]) {
         std::swap(children[0], children[1]);
         std::swap(bounds[0], bounds[1]);

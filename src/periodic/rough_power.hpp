@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/bounding_box.hpp"
+
 namespace mgdt {
 
 // With u = x - base for a point `base` on the sphere, the power of x is u . (u - w), where w is
@@ -34,20 +36,20 @@ class RoughPower {
         return error_of(size);
     }
     // Not above of(x), by more than rounding, for any point x of the box.
-    double least_in(const double* low, const double* high) const {
+    double least_in(const BoundingBox& box) const {
         double sum = 0;
         for (unsigned c = 0; c < 3; ++c) {
-            const double from = low[c] - base_[c], to = high[c] - base_[c],
+            const double from = box.low[c] - base_[c], to = box.high[c] - base_[c],
                          u = std::min(std::max(from, 0.5 * w_[c]), to);
             sum += u * (u - w_[c]);
         }
         return sum;
     }
     // A bound on the errors of all points of the box, and of least_in() for each box within.
-    double error_in(const double* low, const double* high) const {
+    double error_in(const BoundingBox& box) const {
         double size = 0;
         for (unsigned c = 0; c < 3; ++c)
-            size += std::max(std::fabs(low[c] - base_[c]), std::fabs(high[c] - base_[c]));
+            size += std::max(std::fabs(box.low[c] - base_[c]), std::fabs(box.high[c] - base_[c]));
         return error_of(size);
     }
 

@@ -5,10 +5,9 @@
 #include <cassert>
 #include <cstdlib>
 
-#include "mesh/star_traversal.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/segment.hpp"
-#include "query/visit_queue.hpp"
+#include "query/star.hpp"
 
 namespace mgdt {
 namespace {
@@ -59,9 +58,7 @@ void DisplacedLine::set_directions() {
     VertexId best[4];
     std::uint32_t least[4] = {no_index, no_index, no_index, no_index};
     VisitQueue star(allocator_);
-    star.clear();
-    star.push(where_.tetrahedron_of(nearest));
-    traverse_star(mesh, nearest, star, [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+    gather_star(where_, nearest, star);
     for (std::size_t i = 0; i < star.size(); ++i) {
         const Tetrahedron& t = mesh.tetrahedra[star[i]];
         if (t.is_ghost()) continue;

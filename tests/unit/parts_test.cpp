@@ -300,8 +300,8 @@ TEST(Parts, SeeThroughUnderflow) {
     if (!(s.e < infinity)) set_sphere(relative(1), relative(3), relative(2), s);
     ASSERT_LT(s.e, infinity);
     for (const double sign : {1.0, -1.0}) {
-        const PointBox box = {{sign * v, sign * v, sign * third},
-                              {sign * v, sign * v, sign * third}};
+        const double at[3] = {sign * v, sign * v, sign * third};
+        const BoundingBox box(at);
         EXPECT_TRUE(Boxes::meets_ball(box, s, corner[0], 0)) << sign;
     }
 }
@@ -320,7 +320,7 @@ TEST(Parts, SeeCornersBeyondAFacet) {
             for (double& c : x) c = i % 3 == 0 ? integer(random) : size * real(random);
         if (orientation(p[0], p[1], p[2], p[3]) == 0) continue;
         const double s = real(random), t = i % 4 == 0 ? 10 * real(random) : real(random);
-        PointBox box;
+        BoundingBox box;
         for (int k = 0; k < 3; ++k) {
             const double at = p[0][k] + s * (p[1][k] - p[0][k]) + t * (p[2][k] - p[0][k]),
                          extent = i % 2 == 0 ? 0 : std::fabs(size * real(random)) * 1e-9;
