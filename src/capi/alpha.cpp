@@ -40,7 +40,7 @@ extern "C" mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dime
         require_capacity(capacity, count, "the output array");
         if (count == 0) return;
         Team team(t->object.threads_for(t->object.mesh().tetrahedra.size(), slots_per_thread));
-        const ExportView view = view_of(team, t, dimension >= 2);
+        const MeshView view = view_of(team, t, dimension >= 2);
         switch (dimension) {
             case 3:
                 return export_tetrahedron_alphas(view, progress, alpha2);

@@ -24,7 +24,7 @@ void with_cell_view(const mgdt_triangulation* t, Allocator& allocator, std::size
     Team team(core.threads_for(points, vertices_per_thread));
     const bool canonical = core.settings().canonical_output;
     const auto call = [&](const Mesh& mesh, const Region& region, std::size_t far) {
-        f(ExportView{team, mesh, nullptr, allocator, base, canonical}, region, far);
+        f(MeshView{team, mesh, nullptr, allocator, base, canonical}, region, far);
     };
     if (n_planes == 0) require_space(t, "cells");
     const Region own(allocator, n_planes, planes, core.mesh(), base);

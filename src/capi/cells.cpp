@@ -18,7 +18,7 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
         require_capacity(capacity, count, "the output array");
         if (t->object.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();
         with_cell_view(t, t->object.allocator(), n, planes,
-                       [&](const ExportView& view, const Region& region, std::size_t) {
+                       [&](const MeshView& view, const Region& region, std::size_t) {
                            export_measures(view, region, m, points, progress, x);
                        });
     });

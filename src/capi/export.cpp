@@ -44,7 +44,7 @@ mgdt_status tetrahedra(const mgdt_triangulation* t, int64_t capacity, Int* v, co
         [](const Triangulation& core) {
             return Extent{4 * tetrahedron_count(core), point_count(core)};
         },
-        [&](const ExportView& view) { export_tetrahedra(view, v); }, name);
+        [&](const MeshView& view) { export_tetrahedra(view, v); }, name);
 }
 
 template <class Int>
@@ -54,7 +54,7 @@ mgdt_status neighbors(const mgdt_triangulation* t, int64_t capacity, Int* v, con
         [](const Triangulation& core) {
             return Extent{4 * tetrahedron_count(core), tetrahedron_count(core)};
         },
-        [&](const ExportView& view) { export_neighbors(view, v); }, name);
+        [&](const MeshView& view) { export_neighbors(view, v); }, name);
 }
 
 template <class Int>
@@ -64,7 +64,7 @@ mgdt_status hull_facets(const mgdt_triangulation* t, int64_t capacity, Int* v, c
         [](const Triangulation& core) {
             return Extent{3 * hull_facet_count(core), point_count(core)};
         },
-        [&](const ExportView& view) { export_hull_facets(view, v); }, name);
+        [&](const MeshView& view) { export_hull_facets(view, v); }, name);
 }
 
 template <class Int>
@@ -74,7 +74,7 @@ mgdt_status edges(const mgdt_triangulation* t, int64_t capacity, Int* v, const c
         [](const Triangulation& core) {
             return Extent{2 * edge_count(core), point_count(core)};
         },
-        [&](const ExportView& view) { export_edges(view, v); }, name);
+        [&](const MeshView& view) { export_edges(view, v); }, name);
 }
 
 template <class Int>
@@ -84,7 +84,7 @@ mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v, con
         [](const Triangulation& core) {
             return Extent{point_count(core), point_count(core)};
         },
-        [&](const ExportView& view) { export_point_map(view, t->object.point_map(), v); }, name);
+        [&](const MeshView& view) { export_point_map(view, t->object.point_map(), v); }, name);
 }
 
 // The shape of a compressed list by points.
@@ -123,7 +123,7 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
         [](const Triangulation& core) {
             return ListShape{true, static_cast<std::size_t>(4 * tetrahedron_count(core)), 0};
         },
-        [&](const ExportView& view, std::size_t points) {
+        [&](const MeshView& view, std::size_t points) {
             export_vertex_tetrahedra(view, points, offsets, list);
         },
         name);
@@ -138,7 +138,7 @@ mgdt_status vertex_neighbors(const mgdt_triangulation* t, int64_t offset_capacit
             return ListShape{false, static_cast<std::size_t>(2 * edge_count(core)),
                              core.point_map().size()};
         },
-        [&](const ExportView& view, std::size_t points) {
+        [&](const MeshView& view, std::size_t points) {
             export_vertex_neighbors(view, points, offsets, list);
         },
         name);

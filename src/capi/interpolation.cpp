@@ -75,7 +75,7 @@ void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outs
     }
     require_range<Int>(static_cast<std::uint64_t>(point_count(t->object)), t);
     Team team(t->object.threads_for(count, places_per_thread));
-    const ExportView view = view_of(team, t, false);
+    const MeshView view = view_of(team, t, false);
     const std::size_t room = counts_alone ? 0 : static_cast<std::size_t>(capacity);
     std::size_t needed = 0;
     if (count == 0)

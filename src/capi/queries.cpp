@@ -75,7 +75,7 @@ void traverse(const mgdt_triangulation* t, const double* a, const double* b, int
     if (found == 0) return;
     require_pointer(tetrahedra, "tetrahedra");
     Team team(1);
-    const ExportView view = view_of(team, t, true);
+    const MeshView view = view_of(team, t, true);
     for (std::size_t i = 0; i < found; ++i)
         tetrahedra[i] = static_cast<Int>(view.numbering->number(way.tetrahedra[i])) +
                         static_cast<Int>(view.base);

@@ -6,7 +6,7 @@
 
 #include "capi/handle.hpp"
 #include "core/triangulation.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 struct mgdt_triangulation : mgdt::Handle<mgdt::Triangulation> {
     using Handle::Handle;
@@ -16,7 +16,7 @@ namespace mgdt {
 
 // The view that exports and queries of a handle use. Tetrahedra are numbered when numbers are
 // needed for the first time.
-inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers) {
+inline MeshView view_of(Team& team, const mgdt_triangulation* t, bool numbers) {
     const Triangulation& core = t->object;
     return {team,
             core.mesh(),

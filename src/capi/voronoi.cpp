@@ -15,7 +15,7 @@ void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* pla
     const auto points = static_cast<std::size_t>(point_count(t->object));
     if (t->object.vertex_count() > 0) {
         with_cell_view(t, diagram.areas.allocator(), n, planes,
-                       [&](const ExportView& view, const Region& region, std::size_t far) {
+                       [&](const MeshView& view, const Region& region, std::size_t far) {
                            build_voronoi(view, region, points, far, progress, diagram);
                        });
     } else {

@@ -12,6 +12,7 @@
 #include "parallel/watched_split.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/facet_sphere.hpp"
+#include "query/export.hpp"
 #include "query/graphs.hpp"
 #include "query/vertex_indices.hpp"
 
@@ -29,7 +30,7 @@ double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
 }
 
 // The alpha of the tetrahedron in each slot; infinite where the slot has no finite tetrahedron.
-Buffer<double> alphas_by_slot(const ExportView& view, StageProgress& progress) {
+Buffer<double> alphas_by_slot(const MeshView& view, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
     watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,
@@ -62,7 +63,7 @@ bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t,
 // Calls f(id, face, v, alpha) once for each facet, where `id` is the lower slot of the two
 // tetrahedra at the facet. The vertices v are sorted by index.
 template <class F>
-void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::size_t begin,
+void for_each_facet(const MeshView& view, const Buffer<double>& alphas, std::size_t begin,
                     std::size_t end, F f) {
     const Mesh& mesh = view.mesh;
     for (std::size_t id = begin; id < end; ++id) {
@@ -88,7 +89,7 @@ void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::s
 
 }  // namespace
 
-void export_tetrahedron_alphas(const ExportView& view, StageProgress& progress, double* out) {
+void export_tetrahedron_alphas(const MeshView& view, StageProgress& progress, double* out) {
     constexpr std::size_t stretches_per_thread = 64;
     watched_split(view.team, progress, view.numbering->stretches(), stretches_per_thread,
                   [&](std::size_t begin, std::size_t end) {
@@ -98,7 +99,7 @@ void export_tetrahedron_alphas(const ExportView& view, StageProgress& progress, 
                   });
 }
 
-void export_facet_alphas(const ExportView& view, StageProgress& progress, double* out) {
+void export_facet_alphas(const MeshView& view, StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
     progress.enter(0, 0.4);
     const Buffer<double> alphas = alphas_by_slot(view, progress);
@@ -128,7 +129,7 @@ namespace {
 // Writes the alphas of all edges in the order of the caller's indices. The function is not inlined,
 // so that its lists are not on the stack while circumcentres are computed.
 template <class AlphaOf>
-MGDT_NOT_INLINE void write_by_index(const ExportView& view, const Buffer<VertexId>& point_map,
+MGDT_NOT_INLINE void write_by_index(const MeshView& view, const Buffer<VertexId>& point_map,
                                     double* out, AlphaOf alpha_of) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const EdgeLists edges(view, point_map.size(),
@@ -142,7 +143,7 @@ MGDT_NOT_INLINE void write_by_index(const ExportView& view, const Buffer<VertexI
 
 }  // namespace
 
-void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map,
+void export_edge_alphas(const MeshView& view, const Buffer<VertexId>& point_map,
                         StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
     // The edges are listed by vertex numbers, which are near each other in memory for near
@@ -219,13 +220,12 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
                    [&](VertexId a, VertexId b) { return alpha_at(position_of(a, b), a, b); });
 }
 
-void export_vertex_alphas(const ExportView& view, std::size_t points, double* out) {
+void export_vertex_alphas(const MeshView& view, std::size_t points, double* out) {
     std::fill_n(out, points, infinite_alpha);
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v) out[view.mesh.vertices[v].index] = 0;
 }
 
-Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2,
-                                    StageProgress& progress) {
+Buffer<std::uint32_t> alpha_surface(const MeshView& view, double alpha2, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     progress.enter(0, 0.7);
     const Buffer<double> alphas = alphas_by_slot(view, progress);
@@ -259,7 +259,7 @@ Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2,
     return surface;
 }
 
-double solid_alpha(const ExportView& view, StageProgress& progress) {
+double solid_alpha(const MeshView& view, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     progress.enter(0, 0.4);
     const Buffer<double> alphas = alphas_by_slot(view, progress);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
@@ -14,19 +14,19 @@ namespace mgdt {
 // their exported order. Each tetrahedron has four facets, and facet i is opposite vertex i. Points
 // are in the caller's order: the alpha is 0 for a vertex and infinite for a point that is no
 // vertex.
-void export_tetrahedron_alphas(const ExportView& view, StageProgress& progress, double* out);
-void export_facet_alphas(const ExportView& view, StageProgress& progress, double* out);
-void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map,
+void export_tetrahedron_alphas(const MeshView& view, StageProgress& progress, double* out);
+void export_facet_alphas(const MeshView& view, StageProgress& progress, double* out);
+void export_edge_alphas(const MeshView& view, const Buffer<VertexId>& point_map,
                         StageProgress& progress, double* out);
-void export_vertex_alphas(const ExportView& view, std::size_t points, double* out);
+void export_vertex_alphas(const MeshView& view, std::size_t points, double* out);
 
 // Returns the facets that separate the tetrahedra with alpha at most alpha2 from everything else.
 // Each facet is three indices, with the least index first, in counter-clockwise order seen from
 // outside. The facets are sorted.
-Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2, StageProgress& progress);
+Buffer<std::uint32_t> alpha_surface(const MeshView& view, double alpha2, StageProgress& progress);
 
 // Returns the least alpha at which the tetrahedra up to this alpha contain all vertices and are one
 // solid that is connected through facets.
-double solid_alpha(const ExportView& view, StageProgress& progress);
+double solid_alpha(const MeshView& view, StageProgress& progress);
 
 }  // namespace mgdt

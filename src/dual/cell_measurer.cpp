@@ -20,7 +20,7 @@ void CellMeasurer::measure(const Mesh& mesh, VertexId v, TetId first, const Regi
         ExactMeasures::measure(faces_, mesh.point(v), mesh.scale, measure, out);
 }
 
-void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first, StageProgress& progress) {
+void find_tetrahedra(const MeshView& view, AtomicArray<TetId>& first, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     constexpr std::size_t min_slots_per_thread = 262144;
     watched_split(view.team, progress, mesh.tetrahedra.size(), min_slots_per_thread,

@@ -6,7 +6,7 @@
 #include "dual/cell_measures.hpp"
 #include "parallel/atomic_array.hpp"
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
@@ -27,6 +27,6 @@ class CellMeasurer {
 };
 
 // Finds a tetrahedron for each vertex. Which one it is may depend on the threads.
-void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first, StageProgress& progress);
+void find_tetrahedra(const MeshView& view, AtomicArray<TetId>& first, StageProgress& progress);
 
 }  // namespace mgdt

@@ -16,7 +16,7 @@ constexpr std::size_t min_vertices_per_thread = 4096;
 
 // Writes the volumes that the passes over the tetrahedra give. Measures a cell on its own if the
 // region may cut the cell, or if the passes leave its volume undecided.
-void export_volumes(const ExportView& view, const Region& region, std::size_t points,
+void export_volumes(const MeshView& view, const Region& region, std::size_t points,
                     AtomicArray<TetId>& first, StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
     StageProgress of_pass = progress.within(0.1, 0.7);
@@ -48,7 +48,7 @@ void export_volumes(const ExportView& view, const Region& region, std::size_t po
 
 }  // namespace
 
-void export_measures(const ExportView& view, const Region& region, Measure measure,
+void export_measures(const MeshView& view, const Region& region, Measure measure,
                      std::size_t points, StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = width_of(measure);

@@ -207,7 +207,7 @@ void VolumePass::add(const Mesh& mesh, std::size_t begin, std::size_t end) {
     }
 }
 
-VolumePass::VolumePass(const ExportView& view, StageProgress& progress)
+VolumePass::VolumePass(const MeshView& view, StageProgress& progress)
     : exponents_(view.allocator, view.mesh.vertices.size()),
       radii_(view.allocator, view.mesh.vertices.size()),
       flags_(view.allocator, view.mesh.vertices.size()),
@@ -221,7 +221,7 @@ VolumePass::VolumePass(const ExportView& view, StageProgress& progress)
 }
 
 template <bool alone>
-void VolumePass::run(const ExportView& view, StageProgress& progress) {
+void VolumePass::run(const MeshView& view, StageProgress& progress) {
     constexpr std::size_t slots_per_thread = 16384;
     const std::size_t slots = view.mesh.tetrahedra.size();
     StageProgress first = progress.within(0, 0.3), second = progress.within(0.3, 1);

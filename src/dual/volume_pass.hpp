@@ -8,13 +8,13 @@
 
 #include "parallel/atomic_array.hpp"
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
 class VolumePass {
   public:
-    VolumePass(const ExportView& view, StageProgress& progress);
+    VolumePass(const MeshView& view, StageProgress& progress);
 
     // Whether the cell of v is unbounded.
     bool is_infinite(VertexId v) { return flags(v) & on_hull; }
@@ -35,7 +35,7 @@ class VolumePass {
     };
     static Parts parts_of(const Mesh& mesh, const Tetrahedron& t);
     template <bool alone>
-    void run(const ExportView& view, StageProgress& progress);
+    void run(const MeshView& view, StageProgress& progress);
     template <bool alone>
     void set_exponents(const Mesh& mesh, std::size_t begin, std::size_t end);
     template <bool alone>

@@ -60,7 +60,7 @@ constexpr std::size_t vertices_per_thread = 1024;
 // Calls write(vertex, worker, scratch) for each vertex. The worker can write the gradients of the
 // vertex, for which `scratch` has room.
 template <class Write>
-void for_each_gradient(const ExportView& view, const Locator& where, const Values& values,
+void for_each_gradient(const MeshView& view, const Locator& where, const Values& values,
                        StageProgress& progress, Write write) {
     PerMember<GradientsOf> workers(view.team, view.allocator, where, values,
                                    std::ref(view.allocator));
@@ -180,7 +180,7 @@ class RowWriter {
 
 }  // namespace
 
-void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
+void interpolate(const MeshView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, StageProgress& progress, double* out) {
     Buffer<Twofold> gradients(view.allocator);
     // A place needs the gradients of about sixteen vertices. With 1/8 as many places as vertices,
@@ -206,7 +206,7 @@ void interpolate(const ExportView& view, const Locator& where, Manner manner, co
 }
 
 template <class Int>
-std::size_t interpolation_weights(const ExportView& view, const Locator& where, Manner manner,
+std::size_t interpolation_weights(const MeshView& view, const Locator& where, Manner manner,
                                   const PointSet& places, const StageProgress& progress,
                                   const WeightRows<Int>& rows) {
     struct Row {
@@ -262,14 +262,12 @@ std::size_t interpolation_weights(const ExportView& view, const Locator& where, 
     }
     return total;
 }
-template std::size_t interpolation_weights(const ExportView&, const Locator&, Manner,
-                                           const PointSet&, const StageProgress&,
-                                           const WeightRows<std::int64_t>&);
-template std::size_t interpolation_weights(const ExportView&, const Locator&, Manner,
-                                           const PointSet&, const StageProgress&,
-                                           const WeightRows<std::int32_t>&);
+template std::size_t interpolation_weights(const MeshView&, const Locator&, Manner, const PointSet&,
+                                           const StageProgress&, const WeightRows<std::int64_t>&);
+template std::size_t interpolation_weights(const MeshView&, const Locator&, Manner, const PointSet&,
+                                           const StageProgress&, const WeightRows<std::int32_t>&);
 
-void gradients(const ExportView& view, const Locator& where, const Buffer<VertexId>& point_map,
+void gradients(const MeshView& view, const Locator& where, const Buffer<VertexId>& point_map,
                const Values& values, StageProgress& progress, double* out) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = 3 * values.fields;

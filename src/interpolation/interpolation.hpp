@@ -22,7 +22,7 @@ struct Manner {
 };
 
 // Writes the interpolated values at the places, or NaN for a place without a value.
-void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
+void interpolate(const MeshView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, StageProgress& progress, double* out);
 
 // The output of interpolation_weights(), which writes the weights of the points as one row per
@@ -37,13 +37,13 @@ struct WeightRows {
     double* weights;
 };
 template <class Int>
-std::size_t interpolation_weights(const ExportView& view, const Locator& where, Manner manner,
+std::size_t interpolation_weights(const MeshView& view, const Locator& where, Manner manner,
                                   const PointSet& places, const StageProgress& progress,
                                   const WeightRows<Int>& rows);
 
 // Writes the gradient, three numbers, for each field of each point. A gradient is NaN for a point
 // that is not in the triangulation.
-void gradients(const ExportView& view, const Locator& where, const Buffer<VertexId>& point_map,
+void gradients(const MeshView& view, const Locator& where, const Buffer<VertexId>& point_map,
                const Values& values, StageProgress& progress, double* out);
 
 }  // namespace mgdt

@@ -9,7 +9,7 @@ void export_periodic_measures(const Periodic& periodic, Measure measure, StagePr
     const Halo& halo = periodic.halo();
     const std::size_t width = width_of(measure);
     Team team = team_of_halo(periodic);
-    const ExportView view = view_of_halo(periodic, team);
+    const MeshView view = view_of_halo(periodic, team);
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
     Buffer<double> all(view.allocator, width * halo.point_count());
     export_measures(view, region, measure, halo.point_count(), progress, all.begin());

@@ -14,7 +14,7 @@ inline Team team_of_halo(const Periodic& periodic) {
     const Triangulation& t = periodic.halo().triangulation();
     return Team(t.threads_for(t.vertex_count(), vertices_per_thread));
 }
-inline ExportView view_of_halo(const Periodic& periodic, Team& team) {
+inline MeshView view_of_halo(const Periodic& periodic, Team& team) {
     return {team, periodic.halo().triangulation().mesh(), nullptr, periodic.allocator(), 0, false};
 }
 

@@ -359,7 +359,7 @@ class Extraction {
 void build_periodic_diagram(const Periodic& periodic, StageProgress& progress,
                             VoronoiDiagram& diagram) {
     Team team = team_of_halo(periodic);
-    const ExportView view = view_of_halo(periodic, team);
+    const MeshView view = view_of_halo(periodic, team);
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
     // The diagram keeps its allocator, since it may outlive the box.
     Allocator& allocator = diagram.areas.allocator();

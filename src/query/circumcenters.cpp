@@ -5,7 +5,7 @@
 
 namespace mgdt {
 
-void export_circumcenters(const ExportView& view, StageProgress& progress, double* xyz,
+void export_circumcenters(const MeshView& view, StageProgress& progress, double* xyz,
                           double* radius2) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;

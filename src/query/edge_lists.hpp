@@ -7,7 +7,7 @@
 
 #include "parallel/team_lists.hpp"
 #include "platform/error.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
@@ -79,7 +79,7 @@ class EdgeLists {
   public:
     // each(begin, end, f) calls f(key, other) for the edges that slots begin..end-1 emit.
     template <class Each>
-    EdgeLists(const ExportView& view, std::size_t keys, Each each)
+    EdgeLists(const MeshView& view, std::size_t keys, Each each)
         : team_(view.team),
           keys_(keys),
           ends_(view.allocator, keys + 1),

@@ -12,7 +12,7 @@ namespace mgdt {
 // Edges are sorted by their ends: by the caller's indices in canonical exports, otherwise by vertex
 // numbers.
 template <class Int>
-void export_edges(const ExportView& view, Int* out) {
+void export_edges(const MeshView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const auto name = [&](VertexId v) { return view.canonical ? indices[v] : v; };
     const std::size_t names = view.canonical ? indices.end() : view.mesh.vertices.size();
@@ -35,7 +35,7 @@ void export_edges(const ExportView& view, Int* out) {
 }
 
 template <class Int>
-void export_vertex_neighbors(const ExportView& view, std::size_t points, Int* offsets, Int* list) {
+void export_vertex_neighbors(const MeshView& view, std::size_t points, Int* offsets, Int* list) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const auto name = [&](VertexId v) { return indices[v]; };
     const EdgeLists lists(view, points, [&](std::size_t begin, std::size_t end, auto f) {
@@ -54,9 +54,9 @@ void export_vertex_neighbors(const ExportView& view, std::size_t points, Int* of
         });
 }
 
-#define MGDT_INSTANTIATE(Int)                            \
-    template void export_edges(const ExportView&, Int*); \
-    template void export_vertex_neighbors(const ExportView&, std::size_t, Int*, Int*);
+#define MGDT_INSTANTIATE(Int)                          \
+    template void export_edges(const MeshView&, Int*); \
+    template void export_vertex_neighbors(const MeshView&, std::size_t, Int*, Int*);
 MGDT_INSTANTIATE(std::int64_t)
 MGDT_INSTANTIATE(std::int32_t)
 #undef MGDT_INSTANTIATE

@@ -20,7 +20,7 @@ struct IndicesInPlace {
 
 }  // namespace
 
-void export_positions(const ExportView& view, const Tetrahedron& t, unsigned positions[4]) {
+void export_positions(const MeshView& view, const Tetrahedron& t, unsigned positions[4]) {
     if (view.canonical) {
         Numbering::canonical_positions(t, IndicesInPlace{view.mesh}, positions);
     } else {
@@ -70,7 +70,7 @@ constexpr std::size_t ahead = 32;
 // on all threads. Tetrahedra are read in the order of storage; canonical rows are written in
 // another order.
 template <bool with_spheres, class Int, class Indices, class Row>
-void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& shared) {
+void export_rows(const MeshView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;
     const bool is_large = view.mesh.finite_count() >= large_array / (4 * sizeof(Int));
     const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
@@ -104,7 +104,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
     view.team.split(numbering.stretches(), stretches_per_thread, write);
 }
 template <class Int, class Indices, class Row>
-void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& row) {
+void export_rows(const MeshView& view, const Indices& indices, Int* out, const Row& row) {
     if (view.mesh.tetrahedra.has_spheres())
         export_rows<true>(view, indices, out, row);
     else
@@ -112,7 +112,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
 }
 
 // The ghosts in ascending order, sorted by means of a bitmap of the slots.
-Buffer<TetId> ghosts_by_slot(const ExportView& view) {
+Buffer<TetId> ghosts_by_slot(const MeshView& view) {
     const std::size_t words = view.mesh.tetrahedra.size() / 64 + 1;
     Buffer<std::uint64_t> bits(view.allocator);
     bits.resize(words, 0);
@@ -169,7 +169,7 @@ HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
 }  // namespace
 
 template <class Int>
-void export_tetrahedra(const ExportView& view, Int* out) {
+void export_tetrahedra(const MeshView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     export_rows(view, indices, out, VertexIndex<Int>{indices.data(), static_cast<Int>(view.base)});
 }
@@ -177,7 +177,7 @@ void export_tetrahedra(const ExportView& view, Int* out) {
 namespace {
 
 template <class Int, class Indices>
-void export_neighbors(const ExportView& view, const Indices& indices, Int* out) {
+void export_neighbors(const MeshView& view, const Indices& indices, Int* out) {
     const Numbering& numbering = *view.numbering;
     const Int base = static_cast<Int>(view.base);
     if (numbering.is_by_slot())
@@ -191,7 +191,7 @@ void export_neighbors(const ExportView& view, const Indices& indices, Int* out) 
 }  // namespace
 
 template <class Int>
-void export_neighbors(const ExportView& view, Int* out) {
+void export_neighbors(const MeshView& view, Int* out) {
     if (view.canonical)
         export_neighbors(view, VertexIndices(view.team, view.mesh, view.allocator), out);
     else
@@ -199,7 +199,7 @@ void export_neighbors(const ExportView& view, Int* out) {
 }
 
 template <class Int>
-void export_hull_facets(const ExportView& view, Int* out) {
+void export_hull_facets(const MeshView& view, Int* out) {
     const Buffer<TetId> ghosts = ghosts_by_slot(view);
     constexpr std::size_t min_items_per_thread = 32768;
     const auto write = [&](std::size_t position, const HullFacet& f) {
@@ -227,7 +227,7 @@ void export_hull_facets(const ExportView& view, Int* out) {
 }
 
 template <class Int>
-void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out) {
+void export_point_map(const MeshView& view, const Buffer<VertexId>& point_map, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const std::uint32_t none = no_index;
     constexpr std::size_t min_items_per_thread = 65536;
@@ -242,7 +242,7 @@ void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map,
 }
 
 template <class Int>
-void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list) {
+void export_vertex_tetrahedra(const MeshView& view, std::size_t points, Int* offsets, Int* list) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;
     const Int base = static_cast<Int>(view.base);
@@ -269,12 +269,12 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     for (std::size_t k = 0; k <= points; ++k) offsets[k] += base;
 }
 
-#define MGDT_INSTANTIATE(Int)                                                         \
-    template void export_tetrahedra(const ExportView&, Int*);                         \
-    template void export_neighbors(const ExportView&, Int*);                          \
-    template void export_hull_facets(const ExportView&, Int*);                        \
-    template void export_point_map(const ExportView&, const Buffer<VertexId>&, Int*); \
-    template void export_vertex_tetrahedra(const ExportView&, std::size_t, Int*, Int*);
+#define MGDT_INSTANTIATE(Int)                                                       \
+    template void export_tetrahedra(const MeshView&, Int*);                         \
+    template void export_neighbors(const MeshView&, Int*);                          \
+    template void export_hull_facets(const MeshView&, Int*);                        \
+    template void export_point_map(const MeshView&, const Buffer<VertexId>&, Int*); \
+    template void export_vertex_tetrahedra(const MeshView&, std::size_t, Int*, Int*);
 MGDT_INSTANTIATE(std::int64_t)
 MGDT_INSTANTIATE(std::int32_t)
 #undef MGDT_INSTANTIATE

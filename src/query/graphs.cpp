@@ -11,7 +11,7 @@
 namespace mgdt {
 namespace {
 
-EdgeLists all_edges(const ExportView& view, std::size_t points, const VertexIndices& indices) {
+EdgeLists all_edges(const MeshView& view, std::size_t points, const VertexIndices& indices) {
     return EdgeLists(view, points,
                      edges_from_lesser(view.mesh, [&](VertexId v) { return indices[v]; }));
 }
@@ -44,7 +44,7 @@ unsigned obtuse_corner(const double* const (&p)[3]) {
 // An edge is a Gabriel edge if its midpoint is in the dual Voronoi face of the edge. The third
 // vertices of the facets at the edge bound this face, so an edge opposite an obtuse corner of a
 // facet is removed: docs/theory.md, "Graphs of neighbours".
-EdgeLists gabriel_edges(const ExportView& view, std::size_t points, StageProgress& progress) {
+EdgeLists gabriel_edges(const MeshView& view, std::size_t points, StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
     progress.enter(0, 0.4);
@@ -84,7 +84,7 @@ struct Length {
 
 // Kruskal's algorithm: takes the edges by length, and skips edges whose ends are connected already.
 // The edges of the tetrahedra contain every minimum spanning tree.
-Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map,
+Buffer<std::uint32_t> spanning_tree(const MeshView& view, const Buffer<VertexId>& point_map,
                                     StageProgress& progress) {
     progress.enter(0, 0.3);
     const VertexIndices indices(view.team, view.mesh, view.allocator);

@@ -9,7 +9,7 @@
 namespace mgdt {
 
 // The edges whose diametral sphere has no vertex inside.
-EdgeLists gabriel_edges(const ExportView& view, std::size_t points, StageProgress& progress);
+EdgeLists gabriel_edges(const MeshView& view, std::size_t points, StageProgress& progress);
 
 // The corner of a triangle with an obtuse angle, or 3 if there is none. Such a corner is inside the
 // diametral sphere of the opposite edge.
@@ -18,7 +18,7 @@ unsigned obtuse_corner(const double* const (&p)[3]);
 // The Euclidean minimum spanning tree of all vertices, as two ends per edge. Edges of equal length
 // are ordered by the indices of their ends, which makes the tree unique. point_map has the vertex
 // of each point.
-Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map,
+Buffer<std::uint32_t> spanning_tree(const MeshView& view, const Buffer<VertexId>& point_map,
                                     StageProgress& progress);
 
 }  // namespace mgdt

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "query/locate_points.hpp"
 
+#include "query/export.hpp"
+
 namespace mgdt {
 
 template <class Int>
-void locate_points(const ExportView& view, const Locator& where, const PointSet& places,
+void locate_points(const MeshView& view, const Locator& where, const PointSet& places,
                    const StageProgress& progress, Int* tetrahedra, double* weights) {
     const auto write = [&](std::size_t i, TetId found, TetId) {
         const bool is_inside = found != no_tetrahedron;
@@ -22,13 +24,13 @@ void locate_points(const ExportView& view, const Locator& where, const PointSet&
     };
     locate_each(view, where, places, true, progress, [&](unsigned) { return write; });
 }
-template void locate_points(const ExportView&, const Locator&, const PointSet&,
-                            const StageProgress&, std::int64_t*, double*);
-template void locate_points(const ExportView&, const Locator&, const PointSet&,
-                            const StageProgress&, std::int32_t*, double*);
+template void locate_points(const MeshView&, const Locator&, const PointSet&, const StageProgress&,
+                            std::int64_t*, double*);
+template void locate_points(const MeshView&, const Locator&, const PointSet&, const StageProgress&,
+                            std::int32_t*, double*);
 
 template <class Int>
-void nearest_vertices(const ExportView& view, const Locator& where, const PointSet& places,
+void nearest_vertices(const MeshView& view, const Locator& where, const PointSet& places,
                       const StageProgress& progress, Int* vertices) {
     const auto write = [&](std::size_t i, TetId, TetId near) {
         const VertexId found = where.nearest_vertex(places.axis[0] + 3 * i, near, view.allocator);
@@ -38,9 +40,9 @@ void nearest_vertices(const ExportView& view, const Locator& where, const PointS
     };
     locate_each(view, where, places, false, progress, [&](unsigned) { return write; });
 }
-template void nearest_vertices(const ExportView&, const Locator&, const PointSet&,
+template void nearest_vertices(const MeshView&, const Locator&, const PointSet&,
                                const StageProgress&, std::int64_t*);
-template void nearest_vertices(const ExportView&, const Locator&, const PointSet&,
+template void nearest_vertices(const MeshView&, const Locator&, const PointSet&,
                                const StageProgress&, std::int32_t*);
 
 }  // namespace mgdt

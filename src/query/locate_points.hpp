@@ -7,8 +7,8 @@
 
 #include "order/curve_sort.hpp"
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
 #include "query/locate.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t places_per_thread = 4096;
 // Calls found(i, tetrahedron, near) for each query point i, see Locator::locate_sequence(). Each
 // thread has its own `found`, which make_found(member) returns.
 template <class MakeFound>
-void locate_each(const ExportView& view, const Locator& where, const PointSet& places,
+void locate_each(const MeshView& view, const Locator& where, const PointSet& places,
                  bool may_end_outside, const StageProgress& progress, MakeFound make_found) {
     const double* const xyz = places.axis[0];
     if (places.size == 1) {
@@ -56,10 +56,10 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
 
 // `places` are contiguous, in the caller's scale. `weights` may be null.
 template <class Int>
-void locate_points(const ExportView& view, const Locator& where, const PointSet& places,
+void locate_points(const MeshView& view, const Locator& where, const PointSet& places,
                    const StageProgress& progress, Int* tetrahedra, double* weights);
 template <class Int>
-void nearest_vertices(const ExportView& view, const Locator& where, const PointSet& places,
+void nearest_vertices(const MeshView& view, const Locator& where, const PointSet& places,
                       const StageProgress& progress, Int* vertices);
 
 }  // namespace mgdt

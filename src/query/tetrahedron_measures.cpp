@@ -191,7 +191,7 @@ double measure_tetrahedron(const double* const (&p)[4], int scale, TetrahedronMe
     return x;
 }
 
-void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure,
+void export_tetrahedron_measures(const MeshView& view, TetrahedronMeasure measure,
                                  StageProgress& progress, double* x) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 
 namespace mgdt {
 
@@ -25,7 +25,7 @@ double measure_tetrahedron(const double* const (&p)[4], int scale, TetrahedronMe
                            Allocator& allocator);
 
 // Writes a measure of each tetrahedron.
-void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure measure,
+void export_tetrahedron_measures(const MeshView& view, TetrahedronMeasure measure,
                                  StageProgress& progress, double* x);
 
 namespace exact {

@@ -27,7 +27,7 @@ void set_size(Buffer<T>& array, std::size_t size) {
 
 }  // namespace
 
-Assembly::Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
+Assembly::Assembly(const MeshView& view, const Buffer<VertexId>& vertex_of, const Region& region,
                    const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
                    VoronoiDiagram& diagram, VoronoiSources* sources)
     : view_(view),

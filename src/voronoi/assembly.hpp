@@ -17,7 +17,7 @@ namespace mgdt {
 class Assembly {
   public:
     // vertex_of is the vertex of each of the caller's points, or infinite_vertex.
-    Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
+    Assembly(const MeshView& view, const Buffer<VertexId>& vertex_of, const Region& region,
              const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
              VoronoiDiagram& diagram, VoronoiSources* sources);
 
@@ -42,7 +42,7 @@ class Assembly {
     std::uint32_t add_ray(TetId slot, std::uint32_t vertex);
     bool measure_cell(std::size_t cell, double& volume, double* centroid) const;
 
-    const ExportView& view_;
+    const MeshView& view_;
     const Mesh& mesh_;
     const Buffer<VertexId>& vertex_of_;
     const Region& region_;

@@ -10,7 +10,7 @@
 
 namespace mgdt {
 
-Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indices,
+Circumcenters::Circumcenters(const MeshView& view, const VertexIndices& indices,
                              StageProgress& progress)
     : centers_(view.allocator, view.mesh.tetrahedra.size()) {
     set_factor(view);
@@ -32,7 +32,7 @@ Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indice
                   });
 }
 
-void Circumcenters::set_factor(const ExportView& view) {
+void Circumcenters::set_factor(const MeshView& view) {
     double largest = 0;
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v)
         largest = std::max(largest, exact::largest_of<0, 3>(view.mesh.point(v)));
@@ -41,7 +41,7 @@ void Circumcenters::set_factor(const ExportView& view) {
 }
 
 // The corrections depend on the order of the vertices, so the vertices are in canonical order.
-void Circumcenters::set_centers(const ExportView& view, const VertexIndices& indices,
+void Circumcenters::set_centers(const MeshView& view, const VertexIndices& indices,
                                 StageProgress& progress) {
     const Mesh& mesh = view.mesh;
     watched_split(view.team, progress, mesh.tetrahedra.size(), slots_per_thread,

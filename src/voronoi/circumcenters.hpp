@@ -6,14 +6,14 @@
 #include "platform/compiler.hpp"
 #include "platform/stage_progress.hpp"
 #include "predicates/circumcenter.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 #include "query/vertex_indices.hpp"
 
 namespace mgdt {
 
 class Circumcenters {
   public:
-    Circumcenters(const ExportView& view, const VertexIndices& indices, StageProgress& progress);
+    Circumcenters(const MeshView& view, const VertexIndices& indices, StageProgress& progress);
 
     // The circumcentre of the finite tetrahedron in a slot. All coordinates carry the mesh's scale.
     const SplitPoint& operator[](TetId t) const noexcept { return centers_[t]; }
@@ -30,8 +30,8 @@ class Circumcenters {
     };
     static constexpr std::size_t slots_per_thread = 4096, ahead = 16;
 
-    void set_factor(const ExportView& view);
-    void set_centers(const ExportView& view, const VertexIndices& indices, StageProgress& progress);
+    void set_factor(const MeshView& view);
+    void set_centers(const MeshView& view, const VertexIndices& indices, StageProgress& progress);
     void join_tetrahedra(const Mesh& mesh, DisjointSets& sets, std::size_t begin, std::size_t end);
     static void join_ghosts(const Mesh& mesh, DisjointSets& sets, std::size_t begin,
                             std::size_t end);

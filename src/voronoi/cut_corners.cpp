@@ -19,7 +19,7 @@ std::uint32_t hash_of(const CutCorners::Key& key) {
 
 }  // namespace
 
-CutCorners::CutCorners(const ExportView& view, const VertexIndices& indices, const Region& region,
+CutCorners::CutCorners(const MeshView& view, const VertexIndices& indices, const Region& region,
                        const Circumcenters& centers, const Buffer<VertexId>& vertex_of)
     : mesh_(view.mesh),
       indices_(indices),

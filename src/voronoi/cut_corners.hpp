@@ -14,7 +14,7 @@ namespace mgdt {
 class CutCorners {
   public:
     // vertex_of is the vertex of each of the caller's points.
-    CutCorners(const ExportView& view, const VertexIndices& indices, const Region& region,
+    CutCorners(const MeshView& view, const VertexIndices& indices, const Region& region,
                const Circumcenters& centers, const Buffer<VertexId>& vertex_of);
 
     // A site is the caller's index of a point; a plane of the region has the flag

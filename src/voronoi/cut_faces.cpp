@@ -9,7 +9,7 @@
 
 namespace mgdt {
 
-CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
+CutFaces::CutFaces(const MeshView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
                    CutCorners& corners, AtomicArray<TetId>& first, std::size_t points,
                    StageProgress& progress)

@@ -11,7 +11,7 @@ namespace mgdt {
 
 class CutFaces {
   public:
-    CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
+    CutFaces(const MeshView& view, const VertexIndices& indices, const Region& region,
              const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut, CutCorners& corners,
              AtomicArray<TetId>& first, std::size_t points, StageProgress& progress);
 
@@ -39,7 +39,7 @@ class CutFaces {
     void measure(const Cycles& cycles, FoundFaces& found);
     FacePlane plane_of(const FoundFace& face) const;
 
-    const ExportView& view_;
+    const MeshView& view_;
     const Mesh& mesh_;
     const VertexIndices& indices_;
     const Region& region_;

@@ -10,9 +10,8 @@
 
 namespace mgdt {
 
-void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   std::size_t far, StageProgress& progress, VoronoiDiagram& diagram,
-                   VoronoiSources* sources) {
+void build_voronoi(const MeshView& view, const Region& region, std::size_t points, std::size_t far,
+                   StageProgress& progress, VoronoiDiagram& diagram, VoronoiSources* sources) {
     progress.enter(0, 0.05);
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);

@@ -4,7 +4,7 @@
 
 #include "dual/region.hpp"
 #include "platform/stage_progress.hpp"
-#include "query/export.hpp"
+#include "query/mesh_view.hpp"
 #include "voronoi/diagram.hpp"
 
 namespace mgdt {
@@ -22,8 +22,8 @@ struct VoronoiSources {
 // `sources`, which requires a region without bounds, sets these too, and the centroids are
 // relative: that of a cell to its point, that of a face to its first side. Throws
 // MGDT_ERR_CANCELLED if there is a request to stop.
-void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   std::size_t far, StageProgress& progress, VoronoiDiagram& diagram,
+void build_voronoi(const MeshView& view, const Region& region, std::size_t points, std::size_t far,
+                   StageProgress& progress, VoronoiDiagram& diagram,
                    VoronoiSources* sources = nullptr);
 
 }  // namespace mgdt

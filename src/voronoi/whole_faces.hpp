@@ -14,7 +14,7 @@ namespace mgdt {
 // vertex whose cell may be cut.
 class WholeFaces {
   public:
-    WholeFaces(const ExportView& view, const VertexIndices& indices, const Circumcenters& centers,
+    WholeFaces(const MeshView& view, const VertexIndices& indices, const Circumcenters& centers,
                AtomicArray<std::uint8_t>& is_cut, StageProgress& progress)
         : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut), progress_(progress) {}
 
@@ -24,7 +24,7 @@ class WholeFaces {
   private:
     class Finder;
 
-    const ExportView& view_;
+    const MeshView& view_;
     const VertexIndices& indices_;
     const Circumcenters& centers_;
     AtomicArray<std::uint8_t>& is_cut_;

@@ -26,7 +26,7 @@ inline std::vector<double> measures_of_cells(const std::vector<double>& xyz, Mea
     const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
     t.insert(n, axis, 3);
     Team team(threads);
-    const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
+    const MeshView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
     const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh(), 0);
     std::vector<double> x((measure == Measure::centroid ? 3 : 1) * n);
     export_measures(view, region, measure, n, Unwatched(), x.data());

@@ -12,7 +12,7 @@ namespace {
 using namespace histories;
 using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-ExportView view(Team& team, const Triangulation& t) {
+MeshView view(Team& team, const Triangulation& t) {
     return {team, t.mesh(), nullptr, t.allocator(), 0, false};
 }
 

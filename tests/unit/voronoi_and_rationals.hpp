@@ -27,7 +27,7 @@ class OwnDiagram {
         const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
         t.insert(xyz.size() / 3, axis, 3);
         Team team(threads);
-        const ExportView view = {team, t.mesh(), nullptr, allocator_, 0, false};
+        const MeshView view = {team, t.mesh(), nullptr, allocator_, 0, false};
         const Region region(allocator_, planes.size() / 4, planes.data(), t.mesh(), 0);
         build_voronoi(view, region, xyz.size() / 3, 0, Unwatched(), diagram_);
         diagram_.planes.resize(planes.size());

@@ -53,7 +53,7 @@ std::vector<std::int64_t> outcome(const Triangulation& t) {
     Allocator allocator;
     Team team;
     const Numbering numbering(allocator, t.mesh(), true, team);
-    const ExportView view{team, t.mesh(), &numbering, allocator, 0, true};
+    const MeshView view{team, t.mesh(), &numbering, allocator, 0, true};
     export_tetrahedra(view, all.data());
     export_point_map(view, t.point_map(), all.data() + 4 * t.mesh().finite_count());
     return all;
