@@ -12,15 +12,15 @@
 
 #include "capi/guard.hpp"
 #include "platform/memory.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
 // What stands for no number in arrays of numbers in 32 bits.
-inline constexpr std::uint32_t no_number = 0xFFFFFFFFu;
 
 // How the elements of an array are written.
 enum class Element : std::uint8_t {
-    number,   // from the index base on; no_number becomes the index base - 1
+    number,   // from the index base on; no_index becomes the index base - 1
     flagged,  // a number, or, with the highest of 32 bits, k, which is written as -1 - k
     integer,  // as it is
     real      // a double
@@ -92,7 +92,7 @@ std::int64_t written(const T& element, std::int64_t base) noexcept {
         return (element & flag) != 0 ? -1 - static_cast<std::int64_t>(element & ~flag)
                                      : static_cast<std::int64_t>(element) + base;
     } else if constexpr (std::is_same_v<T, std::uint32_t>) {
-        return (element == no_number ? -1 : static_cast<std::int64_t>(element)) + base;
+        return (element == no_index ? -1 : static_cast<std::int64_t>(element)) + base;
     } else {
         return static_cast<std::int64_t>(element) + base;
     }

@@ -42,7 +42,6 @@ constexpr IntegerStatistic<Object> statistics[] = {
 };
 
 using M = DomainMesh;
-static_assert(M::none == no_number);
 constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_MESH_ARRAY_POINT_ORIGINS, 1, &M::point_origins),
     array<Element::number>(MGDT_MESH_ARRAY_TETRAHEDRA, 4, &M::tetrahedra),

@@ -75,7 +75,6 @@ auto tetrahedron_shifts(const Periodic& p) {
 }
 
 auto neighbors(const Periodic& p) {
-    static_assert(PeriodicTetrahedra::none == no_number);
     return Computed(4 * p.tetrahedra().size(), [&p](const auto& f) {
         for (const Record& record : p.tetrahedra().records())
             for (const PeriodicTetrahedra::Neighbor& n : record.neighbors) f(n.number);
@@ -89,7 +88,7 @@ auto neighbor_shifts(const Periodic& p) {
         for (const Record& record : records) {
             const std::uint32_t first = record.tetrahedron.corners[0].point;
             for (const PeriodicTetrahedra::Neighbor& n : record.neighbors) {
-                if (n.number == PeriodicTetrahedra::none) {
+                if (n.number == no_index) {
                     for (unsigned c = 0; c < 3; ++c) f(std::int64_t{0});
                     continue;
                 }

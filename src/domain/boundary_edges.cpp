@@ -16,8 +16,7 @@ Buffer<BoundaryEdge> sorted_edges(const Boundary& boundary, Allocator& allocator
         edges[i] = edge(v[(i + 1) % 3], v[(i + 2) % 3], static_cast<std::uint32_t>(i));
     }
     for (std::size_t i = 0; i < ends; i += 2)
-        edges[corners + i / 2] =
-            edge(boundary.segments[i], boundary.segments[i + 1], BoundaryEdge::no_triangle);
+        edges[corners + i / 2] = edge(boundary.segments[i], boundary.segments[i + 1], no_index);
     std::sort(edges.begin(), edges.end());
     return edges;
 }

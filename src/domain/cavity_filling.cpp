@@ -31,8 +31,7 @@ void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& cross
     boundary_.clear();
     corners_.clear();
     const auto is_crossed = [&](std::uint32_t face) {
-        return face != ConstrainedMesh::no_face &&
-               std::binary_search(crossed.begin(), crossed.end(), face / 4);
+        return face != no_index && std::binary_search(crossed.begin(), crossed.end(), face / 4);
     };
     for (const std::uint32_t t : crossed) {
         const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
@@ -45,7 +44,7 @@ void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& cross
                        is_below = sides[0] <= 0 && sides[1] <= 0 && sides[2] <= 0;
             if (!is_above && !is_below) continue;
             const bool is_inside = is_crossed(tet.n[i]);
-            if (is_inside && tet.facets[i] == ConstrainedMesh::no_facet) continue;
+            if (is_inside && tet.facets[i] == no_index) continue;
             // (q, a, b, c) is positive beyond the face, so (a, b, c, q) is positive inside.
             boundary_.push_back(
                 {make_face(a, b, c, is_inside ? inside : tet.n[i], tet.facets[i]), is_above});
@@ -147,13 +146,13 @@ void CavityFilling::add_tetrahedron(FacetWalk& facet, std::uint32_t number, cons
         const unsigned char* const f = outer_face[i];
         const std::uint32_t a = v[f[0]], b = v[f[2]], c = v[f[1]], code = 4 * t + i;
         const std::uint32_t other = open_.find_opposite(a, b, c);
-        if (other != OpenFaces::none) {
+        if (other != no_index) {
             open_.close(other);
             close(code, open_[other]);
         } else if (facet.side(a) == 0 && facet.side(b) == 0 && facet.side(c) == 0) {
             add_two_sided({a, b, c}, code, number);
         } else {
-            open(make_face(a, b, c, code, ConstrainedMesh::no_facet));
+            open(make_face(a, b, c, code, no_index));
         }
     }
 }

@@ -30,8 +30,8 @@ ConstrainedMesh::ConstrainedMesh(const Triangulation& triangulation, const Buffe
         for (unsigned i = 0; i < 4; ++i) {
             to.v[i] = mesh.vertices[from.v[i]].index;
             const std::uint32_t next = number[tetrahedron_of(from.n[i])];
-            to.n[i] = next == no_tetrahedron ? no_face : 4 * next + face_of(from.n[i]);
-            to.facets[i] = no_facet;
+            to.n[i] = next == no_tetrahedron ? no_index : 4 * next + face_of(from.n[i]);
+            to.facets[i] = no_index;
             hints[to.v[i]] = number[t];
         }
     }
@@ -50,7 +50,7 @@ std::uint32_t ConstrainedMesh::tetrahedron_at(std::uint32_t a, std::uint32_t b) 
         if (t.has(b)) return star_[i];
         for (unsigned k = 0; k < 4; ++k) {
             const std::uint32_t next = t.n[k];
-            if (t.v[k] == a || next == no_face || stamp_[next / 4] == search_) continue;
+            if (t.v[k] == a || next == no_index || stamp_[next / 4] == search_) continue;
             stamp_[next / 4] = search_;
             star_.push_back(next / 4);
         }
@@ -70,8 +70,8 @@ std::uint32_t ConstrainedMesh::add(std::uint32_t a, std::uint32_t b, std::uint32
         free_slots.pop_back();
     }
     tetrahedra[t] = {{a, b, c, d},
-                     {no_face, no_face, no_face, no_face},
-                     {no_facet, no_facet, no_facet, no_facet}};
+                     {no_index, no_index, no_index, no_index},
+                     {no_index, no_index, no_index, no_index}};
     for (const std::uint32_t v : {a, b, c, d}) hints[v] = t;
     return t;
 }

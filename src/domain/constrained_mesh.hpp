@@ -3,19 +3,17 @@
 #pragma once
 
 #include "core/triangulation.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
 // Face i of tetrahedron t is opposite its corner i and has the code 4 t + i. There are no ghosts:
-// behind a face of the hull is no_face.
+// behind a face of the hull is no_index.
 struct ConstrainedMesh {
-    static constexpr std::uint32_t no_face = 0xFFFFFFFFu;
-    static constexpr std::uint32_t no_facet = 0xFFFFFFFFu;
-
     struct Tetrahedron {
         std::uint32_t v[4];       // points, positively oriented; v[0] is no_index if it is dead
         std::uint32_t n[4];       // the codes of the faces on the other sides
-        std::uint32_t facets[4];  // the facet that each face is a part of, or no_facet
+        std::uint32_t facets[4];  // the facet that each face is a part of, or no_index
 
         bool is_dead() const noexcept { return v[0] == no_index; }
         unsigned position(std::uint32_t point) const noexcept {
@@ -43,15 +41,15 @@ struct ConstrainedMesh {
     // A tetrahedron with the edge between two points, or no_tetrahedron.
     std::uint32_t tetrahedron_at(std::uint32_t a, std::uint32_t b);
 
-    // Makes two faces neighbours. The second one may be no_face.
+    // Makes two faces neighbours. The second one may be no_index.
     void join(std::uint32_t face, std::uint32_t other) noexcept {
         of(face).n[face % 4] = other;
-        if (other != no_face) of(other).n[other % 4] = face;
+        if (other != no_index) of(other).n[other % 4] = face;
     }
     // Marks a face, on both sides, as a part of a facet.
     void mark(std::uint32_t face, std::uint32_t facet) noexcept {
         of(face).facets[face % 4] = facet;
-        if (const std::uint32_t other = of(face).n[face % 4]; other != no_face)
+        if (const std::uint32_t other = of(face).n[face % 4]; other != no_index)
             of(other).facets[other % 4] = facet;
     }
     // Adds a tetrahedron in a free slot. Its faces have no neighbours yet and are on no facet.

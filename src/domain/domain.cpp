@@ -255,7 +255,7 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
         segments =
             split_segments(triangulation, points, facets.segments, progress, avoids_short_parts,
                            most_work(complex.boundary.points.size() / 3, may_take_long), stop);
-    if (segments.stuck != DividedSegments::none) {
+    if (segments.stuck != no_index) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];
             return complex.point_of_number[v];
@@ -283,9 +283,9 @@ void Domain::require_all_used(const DomainMesh& mesh) const {
     const auto number = [&](std::uint32_t index) {
         return static_cast<long long>(index) + settings_.index_base;
     };
-    std::uint32_t facet = DomainMesh::none;
+    std::uint32_t facet = no_index;
     for (const std::uint32_t f : mesh.unused_faces) facet = std::min(facet, mesh.face_facets[f]);
-    if (facet != DomainMesh::none)
+    if (facet != no_index)
         fail(MGDT_ERR_OPEN_BOUNDARY,
              "facet %lld bounds nothing: it has a face without a tetrahedron, as %zu faces have",
              number(facet), mesh.unused_faces.size());

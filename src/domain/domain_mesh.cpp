@@ -27,8 +27,6 @@ class Assembly {
     }
 
   private:
-    static constexpr std::uint32_t none = DomainMesh::none;
-
     // A tetrahedron or a face, to be sorted: its corners in ascending order, and where it is from.
     template <int n>
     struct Record {
@@ -72,11 +70,11 @@ class Assembly {
             records.push_back(record);
         }
         std::sort(records.begin(), records.end());
-        number_.resize(tetrahedra.size(), none);
+        number_.resize(tetrahedra.size(), no_index);
         for (std::uint32_t i = 0; i < records.size(); ++i) number_[records[i].from] = i;
         // Regions are numbered in the order of their first tetrahedra.
         Buffer<std::uint32_t> region(allocator_);
-        region.resize(parts_.regions.markers.size(), none);
+        region.resize(parts_.regions.markers.size(), no_index);
         for (Record<4>& record : records) {
             if (record.is_odd) std::swap(record.v[2], record.v[3]);
             const ConstrainedMesh::Tetrahedron& t = tetrahedra[record.from];
@@ -85,11 +83,10 @@ class Assembly {
                 unsigned k = 0;
                 while (index(t.v[k]) != v) ++k;
                 const std::uint32_t next = t.n[k];
-                out_.neighbors.push_back(next == ConstrainedMesh::no_face ? none
-                                                                          : number_[next / 4]);
+                out_.neighbors.push_back(next == no_index ? no_index : number_[next / 4]);
             }
             const std::uint32_t from = parts_.regions.of_tetrahedron[record.from];
-            if (region[from] == none) {
+            if (region[from] == no_index) {
                 region[from] = static_cast<std::uint32_t>(out_.region_markers.size());
                 out_.region_markers.push_back(parts_.regions.markers[from]);
             }
@@ -103,8 +100,7 @@ class Assembly {
         for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
             for (unsigned i = 0; i < 4 && !tetrahedra[t].is_dead(); ++i) {
                 const std::uint32_t code = 4 * t + i, other = tetrahedra[t].n[i];
-                if (tetrahedra[t].facets[i] == ConstrainedMesh::no_facet ||
-                    (other != ConstrainedMesh::no_face && other < code))
+                if (tetrahedra[t].facets[i] == no_index || (other != no_index && other < code))
                     continue;
                 Record<3> record = {{}, code, false};
                 for (int k = 0; k < 3; ++k) record.v[k] = index(tetrahedra[t].v[outer_face[i][k]]);
@@ -132,7 +128,7 @@ class Assembly {
         out_.faces.push_back(record.v[turns ? 1 : 2]);
         const std::uint32_t behind = t.n[code % 4];
         const std::uint32_t here = number_[code / 4],
-                            there = behind == ConstrainedMesh::no_face ? none : number_[behind / 4];
+                            there = behind == no_index ? no_index : number_[behind / 4];
         out_.face_tetrahedra.push_back(side > 0 ? here : there);
         out_.face_tetrahedra.push_back(side > 0 ? there : here);
         out_.face_facets.push_back(parts_.complex.facet_of_triangle[facet.triangle]);
@@ -151,7 +147,8 @@ class Assembly {
             if (is_used[complex.point_of_number[complex.number_of_point[i]]] == 0)
                 out_.unused_points.push_back(i);
         for (std::uint32_t f = 0; f < out_.face_facets.size(); ++f)
-            if (out_.face_tetrahedra[2 * f] == none && out_.face_tetrahedra[2 * f + 1] == none)
+            if (out_.face_tetrahedra[2 * f] == no_index &&
+                out_.face_tetrahedra[2 * f + 1] == no_index)
                 out_.unused_faces.push_back(f);
     }
 
@@ -179,7 +176,7 @@ class Assembly {
                 found != sources.end() && found->a == ends[0] && found->b == ends[1];
             out_.edges.push_back(index(s.ends[0]));
             out_.edges.push_back(index(s.ends[1]));
-            out_.edge_segments.push_back(is_given ? found->source : none);
+            out_.edge_segments.push_back(is_given ? found->source : no_index);
             out_.edge_markers.push_back(is_given ? parts_.input.segment_markers[found->source] : 0);
         }
     }
@@ -208,7 +205,7 @@ class Assembly {
         }
         for (const std::uint32_t v : parts_.complex.number_of_point)
             out_.point_origins.push_back(parts_.complex.point_of_number[v]);
-        out_.point_origins.resize(out_.points.size() / 3 + parts_.steiner.size(), none);
+        out_.point_origins.resize(out_.points.size() / 3 + parts_.steiner.size(), no_index);
         for (std::size_t i = 0; i < parts_.steiner.size(); ++i) {
             const double* const exact = parts_.mesh.points.begin() + 3 * (distinct + i);
             double x[3];
@@ -235,7 +232,7 @@ class Assembly {
     const DomainParts& parts_;
     DomainMesh& out_;
     Allocator& allocator_;
-    Buffer<std::uint32_t> number_;  // of each tetrahedron in the result, or `none`
+    Buffer<std::uint32_t> number_;  // of each tetrahedron in the result, or `no_index`
 };
 
 }  // namespace

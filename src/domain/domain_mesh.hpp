@@ -6,12 +6,11 @@
 #include "domain/facet_insertion.hpp"
 #include "domain/regions.hpp"
 #include "domain/rounding_grid.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
 struct DomainMesh {
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
-
     explicit DomainMesh(Allocator& allocator)
         : points(allocator),
           exact_points(allocator),
@@ -45,18 +44,19 @@ struct DomainMesh {
 
     // The caller's points come first, then the Steiner points.
     Buffer<double> points;
-    Buffer<double> exact_points;          // those on the grid, in steps
-    Buffer<std::uint32_t> point_origins;  // the caller's point, of equal ones the first; or `none`
-    Buffer<std::uint32_t> tetrahedra;     // 4 corners, positively oriented
-    Buffer<std::uint32_t> neighbors;      // 4: the one opposite each corner, or `none`
-    Buffer<std::uint32_t> regions;        // of each tetrahedron
-    Buffer<std::int32_t> region_markers;  // of each region
-    Buffer<std::uint32_t> faces;          // 3 corners; oriented like the facet
+    Buffer<double> exact_points;  // those on the grid, in steps
+    Buffer<std::uint32_t>
+        point_origins;                 // the caller's point, of equal ones the first; or `no_index`
+    Buffer<std::uint32_t> tetrahedra;  // 4 corners, positively oriented
+    Buffer<std::uint32_t> neighbors;   // 4: the one opposite each corner, or `no_index`
+    Buffer<std::uint32_t> regions;     // of each tetrahedron
+    Buffer<std::int32_t> region_markers;    // of each region
+    Buffer<std::uint32_t> faces;            // 3 corners; oriented like the facet
     Buffer<std::uint32_t> face_tetrahedra;  // 2: the one that the normal points to, and the other
     Buffer<std::uint32_t> face_facets;      // the caller's facet
     Buffer<std::int32_t> face_markers;
     Buffer<std::uint32_t> edges;          // 2 ends of each edge that is a part of a segment
-    Buffer<std::uint32_t> edge_segments;  // the caller's segment, or `none`
+    Buffer<std::uint32_t> edge_segments;  // the caller's segment, or `no_index`
     Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge

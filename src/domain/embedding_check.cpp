@@ -22,7 +22,7 @@ class Sheets {
             // The face, turned so that it appears counter-clockwise from a free side.
             std::uint32_t v[3];
             std::copy_n(mesh.faces.begin() + 3 * std::size_t{f}, 3, v);
-            if (mesh.face_tetrahedra[2 * std::size_t{f}] != DomainMesh::none) std::swap(v[1], v[2]);
+            if (mesh.face_tetrahedra[2 * std::size_t{f}] != no_index) std::swap(v[1], v[2]);
             for (int i = 0; i < 3; ++i) {
                 const std::uint32_t from = v[i], to = v[(i + 1) % 3];
                 edges_.push_back({std::min(from, to), std::max(from, to), f, from < to});
@@ -56,7 +56,7 @@ class Sheets {
 
     int free_sides(std::uint32_t face) const {
         const std::uint32_t* const sides = mesh_.face_tetrahedra.begin() + 2 * std::size_t{face};
-        return (sides[0] == DomainMesh::none ? 1 : 0) + (sides[1] == DomainMesh::none ? 1 : 0);
+        return (sides[0] == no_index ? 1 : 0) + (sides[1] == no_index ? 1 : 0);
     }
     // Joins the faces at an edge: those that bound nothing, if there are no others, and two that
     // pass the edge in opposite directions, so that their free sides face each other. What is not
@@ -140,7 +140,7 @@ class EmbeddingCheck {
             for (int i = 0; i < 4; ++i) {
                 is_corner[v[i]] = 1;
                 for (int k = 0; k < i; ++k)
-                    if (const std::uint32_t s = segments.find(v[i], v[k]); s != PairTable::none)
+                    if (const std::uint32_t s = segments.find(v[i], v[k]); s != no_index)
                         is_edge[s] = 1;
             }
         }
@@ -150,7 +150,7 @@ class EmbeddingCheck {
         for (std::uint32_t p = 0; p < is_corner.size(); ++p) {
             // Of equal points, the first one stands for all.
             const std::uint32_t origin = mesh_.point_origins[p];
-            const bool is_first = origin == p || origin == DomainMesh::none;
+            const bool is_first = origin == p || origin == no_index;
             if (is_corner[p] == 0 && is_first) outside.push_back(simplex(&p, 1));
         }
     }

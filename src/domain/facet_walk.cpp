@@ -69,7 +69,7 @@ void FacetWalk::begin(std::uint32_t a, std::uint32_t b, std::uint32_t towards) {
             const unsigned through = direction == 0 ? p : q;
             behind = tet.n[through];
             t = behind / 4;
-        } while (behind != ConstrainedMesh::no_face && t != first);
+        } while (behind != no_index && t != first);
     }
     fail(MGDT_ERR_INTERNAL, "a facet leaves the mesh");
 }
@@ -84,7 +84,7 @@ void FacetWalk::enter_face(std::uint32_t face) {
     const std::uint32_t other = mesh_.of(face).n[face % 4];
     if (face_stamps_[face] == walk_) return;
     face_stamps_[face] = walk_;
-    if (other != ConstrainedMesh::no_face) face_stamps_[other] = walk_;
+    if (other != no_index) face_stamps_[other] = walk_;
     faces_.push_back(face);
 }
 
@@ -101,13 +101,12 @@ void FacetWalk::leave_tetrahedron(std::uint32_t t) {
     }
     for (unsigned i = 0; i < 4; ++i) {
         if (!crosses(tet, i)) continue;
-        if (tet.n[i] == ConstrainedMesh::no_face)
-            fail(MGDT_ERR_INTERNAL, "a facet leaves the hull");
+        if (tet.n[i] == no_index) fail(MGDT_ERR_INTERNAL, "a facet leaves the hull");
         enter_tetrahedron(tet.n[i] / 4);
     }
     if (count != 2) return;
     const std::uint32_t a = tet.v[in_plane[0]], b = tet.v[in_plane[1]];
-    if (subsegments_.find(a, b) != PairTable::none) return;
+    if (subsegments_.find(a, b) != no_index) return;
     // The face with the edge and the corner above, and the one with the corner below.
     if (!turn(4 * t + below, a, b) && !turn(4 * t + above, a, b))
         fail(MGDT_ERR_INTERNAL, "a facet ends inside of the hull");
@@ -123,11 +122,11 @@ void FacetWalk::leave_face(std::uint32_t face) {
         unsigned n = 0;
         for (unsigned k = 0; k < 4; ++k)
             if (k != i && k != face % 4) ends[n++] = tet.v[k];
-        if (subsegments_.find(ends[0], ends[1]) != PairTable::none) continue;
+        if (subsegments_.find(ends[0], ends[1]) != no_index) continue;
         // Turns away from the face on one of its sides.
         if (turn(4 * (face / 4) + i, ends[0], ends[1])) continue;
         const std::uint32_t other = tet.n[face % 4];
-        if (other != ConstrainedMesh::no_face) {
+        if (other != no_index) {
             const unsigned k = mesh_.of(other).position(tet.v[i]);
             if (turn(4 * (other / 4) + k, ends[0], ends[1])) continue;
         }
@@ -149,7 +148,7 @@ bool FacetWalk::turn(std::uint32_t face, std::uint32_t a, std::uint32_t b) {
     assert(start != 0 && "the turn starts in the plane");
     for (;;) {
         const std::uint32_t next = mesh_.of(face).n[face % 4];
-        if (next == ConstrainedMesh::no_face) return false;
+        if (next == no_index) return false;
         const int here = side(mesh_.apex(next));
         // The face that has the edge and the new corner is opposite the corner of the last face.
         const std::uint32_t beyond = next / 4 * 4 + third(next);

@@ -48,8 +48,6 @@ class MeshCheck {
     }
 
   private:
-    static constexpr std::uint32_t none = DomainMesh::none;
-
     long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};
@@ -86,7 +84,8 @@ class MeshCheck {
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld is not where it was", number(i / 3));
         for (std::size_t i = 0; i < mesh_.point_origins.size(); ++i) {
             const std::uint32_t origin = mesh_.point_origins[i];
-            if (i < given ? origin > i || mesh_.point_origins[origin] != origin : origin != none)
+            if (i < given ? origin > i || mesh_.point_origins[origin] != origin
+                          : origin != no_index)
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
         }
         for (std::size_t i = 0; i < mesh_.steiner_parameters.size(); ++i) {
@@ -146,7 +145,7 @@ class MeshCheck {
             for (int side = 0; side < 2; ++side) {
                 const std::uint32_t t =
                     mesh_.face_tetrahedra[2 * std::size_t{f} + static_cast<std::size_t>(side)];
-                if (t == none) continue;
+                if (t == no_index) continue;
                 if (t >= mesh_.tetrahedron_count() || !is_on_side(v, t, side))
                     fail(MGDT_ERR_CHECK_FAILED, "face %lld is not a face of tetrahedron %lld",
                          number(f), number(t));
@@ -160,21 +159,21 @@ class MeshCheck {
 
     bool is_on_side(const std::uint32_t* face, std::uint32_t t, int side) const {
         const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
-        std::uint32_t apex = none;
+        std::uint32_t apex = no_index;
         for (int i = 0; i < 4; ++i) {
             if (std::find(face, face + 3, v[i]) != face + 3) continue;
-            if (apex != none) return false;
+            if (apex != no_index) return false;
             apex = v[i];
         }
-        if (apex == none) return false;
+        if (apex == no_index) return false;
         const int sign = orientation(exact(face[0]), exact(face[1]), exact(face[2]), exact(apex));
         return side == 0 ? sign > 0 : sign < 0;
     }
 
-    // The listed face with these corners, or `none`.
+    // The listed face with these corners, or `no_index`.
     std::uint32_t listed(const Triple& face) const {
         const Triple* const found = std::lower_bound(faces_.begin(), faces_.end(), face);
-        return found == faces_.end() || face < *found ? none : found->face;
+        return found == faces_.end() || face < *found ? no_index : found->face;
     }
 
     void check_neighbors() const {
@@ -186,24 +185,24 @@ class MeshCheck {
                 const unsigned char* const f = outer_face[i];
                 const std::uint32_t face = listed(Triple(v[f[0]], v[f[1]], v[f[2]], 0));
                 const std::uint32_t next = mesh_.neighbors[4 * std::size_t{t} + i];
-                if (face != none) {
+                if (face != no_index) {
                     const std::uint32_t* const of =
                         mesh_.face_tetrahedra.begin() + 2 * std::size_t{face};
                     if (!(of[0] == t && of[1] == next) && !(of[1] == t && of[0] == next))
                         fail(MGDT_ERR_CHECK_FAILED, "face %lld has wrong tetrahedra", number(face));
                     ++sides;
                 }
-                if (next == none) {
-                    if (face == none)
+                if (next == no_index) {
+                    if (face == no_index)
                         fail(MGDT_ERR_CHECK_FAILED,
                              "tetrahedron %lld has no neighbour at a face that is on no facet",
                              number(t));
                     continue;
                 }
-                check_neighbor(t, i, next, face != none);
+                check_neighbor(t, i, next, face != no_index);
             }
         }
-        for (const std::uint32_t t : mesh_.face_tetrahedra) ends += t != none ? 1 : 0;
+        for (const std::uint32_t t : mesh_.face_tetrahedra) ends += t != no_index ? 1 : 0;
         if (sides != ends)
             fail(MGDT_ERR_CHECK_FAILED, "%zu faces are at tetrahedra, %zu are listed", sides, ends);
     }
@@ -211,17 +210,17 @@ class MeshCheck {
     void check_neighbor(std::uint32_t t, unsigned i, std::uint32_t next, bool is_facet) const {
         const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
         bool is_right = next < mesh_.tetrahedron_count();
-        std::uint32_t apex = none;
+        std::uint32_t apex = no_index;
         for (unsigned k = 0; k < 4 && is_right; ++k) {
             const std::uint32_t w = mesh_.tetrahedra[4 * std::size_t{next} + k];
             const std::uint32_t* const same = std::find(v, v + 4, w);
             if (same == v + 4 || same == v + i) {
-                is_right = apex == none && same == v + 4 &&
+                is_right = apex == no_index && same == v + 4 &&
                            mesh_.neighbors[4 * std::size_t{next} + k] == t;
                 apex = w;
             }
         }
-        if (!is_right || apex == none)
+        if (!is_right || apex == no_index)
             fail(MGDT_ERR_CHECK_FAILED, "tetrahedra %lld and %lld are no neighbours", number(t),
                  number(next));
         if (is_facet) return;

@@ -55,8 +55,6 @@ class MeshComparison {
     }
 
   private:
-    static constexpr std::uint32_t none = DomainMesh::none;
-
     long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};
@@ -91,9 +89,10 @@ class MeshComparison {
                 fail(MGDT_ERR_CHECK_FAILED, "face %lld has a wrong facet or marker", number(f));
         for (std::size_t e = 0; e < mesh_.edge_segments.size(); ++e) {
             const std::uint32_t segment = mesh_.edge_segments[e];
-            if (segment != none && segment >= input_.segment_count())
+            if (segment != no_index && segment >= input_.segment_count())
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld is of no segment", number(e));
-            if (mesh_.edge_markers[e] != (segment == none ? 0 : input_.segment_markers[segment]))
+            if (mesh_.edge_markers[e] !=
+                (segment == no_index ? 0 : input_.segment_markers[segment]))
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld has another marker", number(e));
         }
     }
@@ -114,10 +113,10 @@ class MeshComparison {
         Buffer<DirectedEdge> edges(allocator_);
         const Buffer<std::uint32_t>& triangles = complex_.boundary.triangles;
         Buffer<std::uint32_t> planar(allocator_);  // the planar facet of the caller's facets
-        planar.resize(input_.facet_count(), none);
+        planar.resize(input_.facet_count(), no_index);
         for (const PlanarFacets::Facet& facet : facets_.facets) {
             std::uint32_t& of = planar[complex_.facet_of_triangle[facet.triangle]];
-            if (of == none) of = facets_.of_triangle[facet.triangle];
+            if (of == no_index) of = facets_.of_triangle[facet.triangle];
         }
         for (std::uint32_t t = 0; t < facets_.of_triangle.size(); ++t) {
             const std::uint32_t* const v = triangles.begin() + 3 * std::size_t{t};
@@ -132,7 +131,7 @@ class MeshComparison {
             const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{i};
             progress_.stop_request().poll_in_step(i);
             const std::uint32_t f = facet_of_face(i, planar);
-            if (f == none) fail(MGDT_ERR_CHECK_FAILED, "face %lld is on no facet", number(i));
+            if (f == no_index) fail(MGDT_ERR_CHECK_FAILED, "face %lld is on no facet", number(i));
             for (int k = 0; k < 3; ++k) edges.push_back(DirectedEdge(f, v[k], v[(k + 1) % 3], -1));
         }
         std::sort(edges.begin(), edges.end());
@@ -179,8 +178,8 @@ class MeshComparison {
         return facet;
     }
 
-    // The planar facet with the caller's facet of a face, in the plane of the face; `none` if there
-    // is none.
+    // The planar facet with the caller's facet of a face, in the plane of the face; `no_index` if
+    // there is none.
     std::uint32_t facet_of_face(std::uint32_t face, const Buffer<std::uint32_t>& planar) const {
         const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{face};
         const std::uint32_t corner[3] = {v[0], v[1], v[2]};
@@ -189,7 +188,7 @@ class MeshComparison {
             if (complex_.facet_of_triangle[facets_.facets[f].triangle] != source) break;
             if (direction(f, corner) > 0) return f;
         }
-        return none;
+        return no_index;
     }
 
     // Adds the parts of an edge of a triangle.
@@ -239,7 +238,7 @@ class MeshComparison {
         return {nullptr, 0, false};
     }
 
-    // A part of a segment, and the caller's segment that it is a part of, or `none`.
+    // A part of a segment, and the caller's segment that it is a part of, or `no_index`.
     struct Part {
         std::uint32_t a, b, source;
         friend bool operator<(const Part& p, const Part& q) {
@@ -265,7 +264,7 @@ class MeshComparison {
             const Part whole = part(a, b, 0);
             const Part* const of = std::lower_bound(given.begin(), given.end(), whole);
             const bool is_given = of != given.end() && of->a == whole.a && of->b == whole.b;
-            const std::uint32_t source = is_given ? of->source : none;
+            const std::uint32_t source = is_given ? of->source : no_index;
             const Chain chain = this->chain(a, b);
             std::uint32_t from = chain.is_reversed ? b : a;
             for (std::size_t i = 0; i < chain.size; ++i) {

@@ -16,11 +16,10 @@ class OpenFaces {
     struct Face {
         std::uint32_t v[3];
         std::uint32_t behind;  // the code of the face on the other side, or what the caller chooses
-        std::uint32_t facet;   // the facet that the face is a part of, or no_facet
+        std::uint32_t facet;   // the facet that the face is a part of, or no_index
         BoundingBox box;
         bool is_open;
     };
-    static constexpr std::uint32_t none = NumberTable::none;
 
     explicit OpenFaces(Allocator& allocator) : faces_(allocator), table_(allocator) {}
 
@@ -42,7 +41,7 @@ class OpenFaces {
                              [](std::uint32_t) { return false; });
     }
     void close(std::uint32_t i) noexcept { faces_[i].is_open = false; }
-    // The open face with these corners, seen from its other side; or `none`.
+    // The open face with these corners, seen from its other side; or `no_index`.
     std::uint32_t find_opposite(std::uint32_t a, std::uint32_t b, std::uint32_t c) const noexcept {
         std::uint32_t v[3] = {a, c, b};
         turn_to_least(v);

@@ -12,8 +12,6 @@ namespace mgdt {
 // Gives pairs the numbers 0, 1, 2, ... in the order in which they are added.
 class PairTable {
   public:
-    static constexpr std::uint32_t none = NumberTable::none;
-
     explicit PairTable(Allocator& allocator) : pairs_(allocator), table_(allocator) {
         table_.clear(0);
     }
@@ -29,7 +27,7 @@ class PairTable {
         if (number == pairs_.size()) pairs_.push_back(pair);
         return number;
     }
-    // The number of a pair, or `none`.
+    // The number of a pair, or `no_index`.
     std::uint32_t find(std::uint32_t a, std::uint32_t b) const noexcept {
         const Pair pair = {std::min(a, b), std::max(a, b)};
         return table_.find(hash(pair), [&](std::uint32_t i) { return is_same(pairs_[i], pair); });

@@ -3,12 +3,11 @@
 
 #include "domain/boundary_edges.hpp"
 #include "parallel/disjoint_sets.hpp"
+#include "platform/no_index.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
-
-constexpr std::uint32_t no_corner = 0xFFFFFFFFu;
 
 // Whether two triangles with a common edge are in one plane, on different sides of the edge.
 bool continue_each_other(const Boundary& boundary, const BoundaryEdge& one,
@@ -52,7 +51,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
         const std::uint32_t least = sets.least(t);
         if (least == t) {
             result.of_triangle[t] = static_cast<std::uint32_t>(result.facets.size());
-            result.facets.push_back({{no_corner, no_corner, no_corner}, t});
+            result.facets.push_back({{no_index, no_index, no_index}, t});
         } else {
             result.of_triangle[t] = result.of_triangle[least];
         }
@@ -60,7 +59,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     for (const std::uint32_t place : on_border) {
         PlanarFacets::Facet& facet = result.facets[result.of_triangle[place / 3]];
         const std::uint32_t* const v = boundary.triangles.begin() + place / 3 * 3;
-        if (facet.corner[0] == no_corner)
+        if (facet.corner[0] == no_index)
             for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(place + 1 + k) % 3];
     }
     return result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "platform/no_index.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -32,7 +33,7 @@ class EarCutter {
                         point(i)[v_],
                         (i > 0 ? i : size_) - 1,
                         i + 1 < size_ ? i + 1 : 0,
-                        none,
+                        no_index,
                         true,
                         true};
     }
@@ -47,7 +48,7 @@ class EarCutter {
         while (left_ > 3) {
             if (remove_spike()) continue;
             const std::uint32_t ear = best_ear();
-            if (ear == none) return false;
+            if (ear == no_index) return false;
             append(before(ear), ear, after(ear), triangles);
             remove(ear);
         }
@@ -61,8 +62,6 @@ class EarCutter {
     }
 
   private:
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
-
     struct Corner {
         double x, y;  // in the plane
         std::uint32_t before, after;
@@ -124,8 +123,8 @@ class EarCutter {
     // Makes the corners that wait for a corner candidates again.
     void release(std::uint32_t k) {
         std::uint32_t at = ring_[k].first_waiting;
-        ring_[k].first_waiting = none;
-        while (at != none) {
+        ring_[k].first_waiting = no_index;
+        while (at != no_index) {
             if (is_valid(waiting_[at].candidate)) push(waiting_[at].candidate.corner);
             const std::uint32_t next = waiting_[at].next;
             waiting_[at].next = free_;
@@ -135,8 +134,8 @@ class EarCutter {
     }
     void wait(const Candidate& candidate, std::uint32_t k) {
         const std::uint32_t at =
-            free_ != none ? free_ : static_cast<std::uint32_t>(waiting_.size());
-        if (free_ != none)
+            free_ != no_index ? free_ : static_cast<std::uint32_t>(waiting_.size());
+        if (free_ != no_index)
             free_ = waiting_[at].next;
         else
             waiting_.push_back({});
@@ -233,7 +232,7 @@ class EarCutter {
             }
             if (turn(a, i, k) >= 0 && turn(i, c, k) >= 0 && turn(c, a, k) >= 0) return k;
         }
-        return none;
+        return no_index;
     }
 
     // The ear with the shortest new edge, the first of equal ones, or none.
@@ -244,10 +243,10 @@ class EarCutter {
             heap_.pop_back();
             if (!is_valid(best) || turn(best.before, best.corner, best.after) <= 0) continue;
             const std::uint32_t k = in_the_way(best.corner);
-            if (k == none) return best.corner;
+            if (k == no_index) return best.corner;
             wait(best, k);
         }
-        return none;
+        return no_index;
     }
 
     const double* points_;
@@ -257,7 +256,7 @@ class EarCutter {
     Buffer<Corner> ring_;
     Buffer<Candidate> heap_;
     Buffer<Waiting> waiting_;
-    std::uint32_t free_ = none;       // the list of unused elements of waiting_
+    std::uint32_t free_ = no_index;   // the list of unused elements of waiting_
     Buffer<std::uint32_t> doubtful_;  // a heap
     int u_ = 0, v_ = 1;
     bool is_flat_ = false;  // the corners are on a line, or the polygon crosses itself

@@ -18,9 +18,7 @@ class Flood {
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
             const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
             for (unsigned i = 0; i < 4 && !tet.is_dead(); ++i)
-                if (tet.n[i] == ConstrainedMesh::no_face &&
-                    tet.facets[i] == ConstrainedMesh::no_facet)
-                    fill(t, Regions::outside);
+                if (tet.n[i] == no_index && tet.facets[i] == no_index) fill(t, Regions::outside);
         }
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
             regions_.has_inside = regions_.has_inside || (!mesh_.tetrahedra[t].is_dead() &&
@@ -66,8 +64,7 @@ class Flood {
             const ConstrainedMesh::Tetrahedron& t = mesh_.tetrahedra[stack_.back()];
             stack_.pop_back();
             for (unsigned i = 0; i < 4; ++i)
-                if (t.n[i] != ConstrainedMesh::no_face && t.facets[i] == ConstrainedMesh::no_facet)
-                    enter(t.n[i] / 4);
+                if (t.n[i] != no_index && t.facets[i] == no_index) enter(t.n[i] / 4);
         }
     }
 

@@ -53,7 +53,7 @@ class Splitting {
         touches_.resize(points_.size() / 3, Touches());
         round_near_.resize(points_.size() / 3, 0u);
         tetrahedron_at_.resize(points_.size() / 3, no_tetrahedron);
-        for (std::uint32_t round = 1; find_splits() && result_.stuck == none; ++round) {
+        for (std::uint32_t round = 1; find_splits() && result_.stuck == no_index; ++round) {
             if (work_ > most_work_) {
                 result_.stuck = parts_[splits_[0].part].segment;
                 result_.takes_long = true;
@@ -70,7 +70,6 @@ class Splitting {
     }
 
   private:
-    static constexpr std::uint32_t none = DividedSegments::none;
     // The work of a round beside that at the stars of its points.
     static constexpr std::uint64_t work_of_round = 64;
 
@@ -106,7 +105,7 @@ class Splitting {
             const std::uint32_t a = s.ends[from], b = s.ends[1 - from];
             if (!search.find(a, b, tetrahedron_at_[a])) continue;
             if (s.k1 - s.k0 < 2) result_.stuck = s.segment;
-            if (result_.stuck != none) break;
+            if (result_.stuck != no_index) break;
             const std::uint32_t reference = search.reference();
             splits_.push_back({part, reference, place(s, reference)});
         }

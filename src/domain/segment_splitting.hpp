@@ -4,6 +4,7 @@
 
 #include "core/triangulation.hpp"
 #include "domain/divided_segment.hpp"
+#include "platform/no_index.hpp"
 #include "platform/stage_progress.hpp"
 
 namespace mgdt {
@@ -22,15 +23,13 @@ struct SteinerPoint {
 
 // The parts of all segments, sorted by their segment and then from its first end to the second.
 struct DividedSegments {
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
-
     explicit DividedSegments(Allocator& allocator) : parts(allocator), steiner(allocator) {}
 
     Buffer<Subsegment> parts;
     Buffer<SteinerPoint> steiner;
     // A segment that has no point left at which it can be divided, or one that is missing when the
     // work is used up; then the rest is not complete.
-    std::uint32_t stuck = none;
+    std::uint32_t stuck = no_index;
     bool takes_long = false;  // whether the latter was the reason
 };
 

@@ -5,6 +5,7 @@
 
 #include "mesh/mesh.hpp"
 #include "mesh/numbers.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
@@ -40,13 +41,12 @@ class Link {
     // So the order of the ring does not depend on the order of the records.
     template <class IndexOf>
     void find_rings(IndexOf index_of, Buffer<std::uint32_t>& first) const {
-        constexpr std::uint32_t none = 0xffffffffu;
         first.clear();
-        first.resize(neighbor_count(), none);
+        first.resize(neighbor_count(), no_index);
         for (std::uint32_t i = 0; i < triangles_.size(); ++i)
             for (unsigned k = 0; k < 3; ++k) {
                 std::uint32_t& of_corner = first[triangles_[i].corner[k]];
-                if (of_corner == none ||
+                if (of_corner == no_index ||
                     index_of(shared(i, k)) <
                         index_of(shared(of_corner, corner_of(of_corner, triangles_[i].corner[k]))))
                     of_corner = i;

@@ -7,6 +7,7 @@
 #include "dual/exact_polygon.hpp"
 #include "mesh/scale.hpp"
 #include "platform/error.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 namespace {
@@ -72,8 +73,7 @@ bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemor
 // Throws an Error that names the vertex with the least index that is outside, if any is.
 void Region::require_inside(const Mesh& mesh, std::size_t points) const {
     LongMemory memory(planes_.allocator());
-    constexpr std::uint32_t none = 0xffffffffu;
-    std::uint32_t point = none;
+    std::uint32_t point = no_index;
     std::size_t plane = 0;
     for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
         const double* const p = mesh.point(v);
@@ -84,7 +84,7 @@ void Region::require_inside(const Mesh& mesh, std::size_t points) const {
                 plane = k;
             }
     }
-    if (point != none)
+    if (point != no_index)
         fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is beyond plane %lld", number(point),
              number(plane));
 }

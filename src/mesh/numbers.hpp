@@ -13,16 +13,15 @@ class Numbers {
   public:
     explicit Numbers(Allocator& allocator) : names_(allocator), table_(allocator) {}
 
-    static constexpr std::uint32_t none = NumberTable::none;
     // The number of a name. A new name gets the next number, which is size() before the call.
     MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t name) {
-        assert(name != none && "a name that nothing has");
+        assert(name != no_index && "a name that nothing has");
         if (MGDT_UNLIKELY(table_.size() == names_.size())) make_room();
         const std::uint32_t number = table_.number(name, [](std::uint32_t) { return true; });
         names_[number] = name;
         return number;
     }
-    // A function that gives the number of a name, or `none` for a name that has no number.
+    // A function that gives the number of a name, or `no_index` for a name that has no number.
     MGDT_ALWAYS_INLINE auto lookup() const { return table_.lookup(); }
     void clear() { table_.clear(2 * names_.size()); }
     std::uint32_t size() const noexcept { return table_.size(); }

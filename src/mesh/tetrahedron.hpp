@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "platform/compiler.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
@@ -20,7 +21,6 @@ using FacetCode = std::uint32_t;
 
 inline constexpr VertexId infinite_vertex = 0;
 inline constexpr TetId no_tetrahedron = 0xFFFFFFFFu;
-inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 // Facet codes have 32 bits.
 inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 

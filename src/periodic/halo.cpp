@@ -41,12 +41,12 @@ void Halo::clear() noexcept {
     rounds_ = 0;
 }
 
-// The index of an image; NumberTable::none if it is not known.
+// The index of an image; no_index if it is not known.
 std::uint32_t Halo::number_of(const Image& image) const {
-    if (images_.empty()) return NumberTable::none;
+    if (images_.empty()) return no_index;
     const std::uint32_t number =
         known_.find(hash_of(image), [&](std::uint32_t i) { return are_equal(images_[i], image); });
-    return number == NumberTable::none ? number : static_cast<std::uint32_t>(own_ + number);
+    return number == no_index ? number : static_cast<std::uint32_t>(own_ + number);
 }
 
 // The number of a tetrahedron's class.
@@ -93,24 +93,23 @@ bool Halo::add(const Image& image) {
 }
 
 void Halo::list_used_images(Buffer<UsedImage>& used) const {
-    constexpr std::uint32_t none = 0xFFFFFFFFu;
     Buffer<std::uint32_t> by(used.allocator());
-    by.resize(images_.size(), none);
+    by.resize(images_.size(), no_index);
     const Mesh& mesh = triangulation_->mesh();
     for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
         const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
         if (tetrahedron.is_dead()) continue;
-        std::uint32_t own = none;
+        std::uint32_t own = no_index;
         for (const VertexId v : tetrahedron.v)
             if (v != infinite_vertex && is_own(mesh.vertices[v].index))
                 own = mesh.vertices[v].index;
-        if (own == none) continue;
+        if (own == no_index) continue;
         for (const VertexId v : tetrahedron.v)
             if (v != infinite_vertex && !is_own(mesh.vertices[v].index))
                 by[mesh.vertices[v].index - own_] = own;
     }
     for (std::size_t i = 0; i < images_.size(); ++i)
-        if (by[i] != none) used.push_back({by[i], images_[i]});
+        if (by[i] != no_index) used.push_back({by[i], images_[i]});
 }
 
 std::size_t Halo::bytes_elsewhere() const {

@@ -91,7 +91,7 @@ class PeriodicChecker {
     // turned the other way round, and its fourth corner is outside of the sphere.
     void check_side(std::size_t i, unsigned corner) const {
         const Neighbor& n = tetrahedra_[i].neighbors[corner];
-        if (n.number == PeriodicTetrahedra::none) return check_hull_facet(i, corner);
+        if (n.number == no_index) return check_hull_facet(i, corner);
         if (n.number >= tetrahedra_.size()) reject(i, "a neighbour does not exist");
         const Multiples moved = {n.of[0], n.of[1], n.of[2]};
         const Tetrahedron &t = tetrahedra_[i].tetrahedron,

@@ -92,7 +92,6 @@ class Listing {
             return std::lexicographical_compare(orders, orders + 3, other.orders, other.orders + 3);
         }
     };
-    static constexpr std::uint32_t none = PeriodicTetrahedra::none;
     static constexpr std::uint8_t is_no_representative = 0xFF;
     static constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 8192;
 
@@ -155,7 +154,7 @@ class Listing {
     void sort() {
         records_.resize(slots_.size());
         records_.prefault(0, records_.size());
-        number_of_slot_.resize(mesh_.tetrahedra.size(), none);
+        number_of_slot_.resize(mesh_.tetrahedra.size(), no_index);
         each_first_corner([&](std::size_t v, std::uint32_t p) {
             constexpr std::size_t most = 64;  // on the stack; few points have more
             Member few[most];
@@ -197,7 +196,7 @@ class Listing {
         Buffer<OpenSide> sides(records_.allocator());
         for (std::uint32_t i = 0; i < records_.size(); ++i)
             for (unsigned k = 0; k < 4; ++k)
-                if (records_[i].neighbors[k].number == none)
+                if (records_[i].neighbors[k].number == no_index)
                     sides.push_back(side_of(records_[i].tetrahedron, i, k));
         std::sort(sides.begin(), sides.end());
         const auto join = [&](const OpenSide& side, const OpenSide& other) {

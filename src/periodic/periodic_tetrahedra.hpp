@@ -12,8 +12,6 @@ namespace mgdt {
 // its point and then by its multiples. The tetrahedra are sorted by their corners in the same way.
 class PeriodicTetrahedra {
   public:
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
-
     struct Tetrahedron {
         Image corners[4];
     };

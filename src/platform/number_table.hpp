@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "platform/memory.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
@@ -19,8 +20,6 @@ namespace mgdt {
 // unless the table must grow or the numbers run out.
 class NumberTable {
   public:
-    static constexpr std::uint32_t none = 0xFFFFFFFF;
-
     explicit NumberTable(Allocator& allocator) : entries_(allocator) {}
 
     // Empties the table and makes room for `count` items. Throws std::bad_alloc.
@@ -70,7 +69,7 @@ class NumberTable {
             if (entry.hash == hash && is_same(entry.number - first_)) return entry.number - first_;
         }
     }
-    // The number of the item with a key, or `none`.
+    // The number of the item with a key, or no_index.
     template <class IsSame>
     std::uint32_t find(std::uint32_t hash, IsSame is_same) const
         noexcept(noexcept(is_same(std::uint32_t{}))) {
@@ -78,11 +77,11 @@ class NumberTable {
         const std::uint32_t mask = mask_of(entries_);
         for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
             const Entry& entry = entries_[at];
-            if (entry.number < first_) return none;
+            if (entry.number < first_) return no_index;
             if (entry.hash == hash && is_same(entry.number - first_)) return entry.number - first_;
         }
     }
-    // Returns a function that gives the number of a key, or `none`. The keys are the hashes. The
+    // Returns a function that gives the number of a key, or no_index. The keys are the hashes. The
     // function has copies of the members of this object that it needs, so that a loop that writes
     // to memory need not read the members again.
     MGDT_ALWAYS_INLINE auto lookup() const noexcept {
@@ -91,7 +90,7 @@ class NumberTable {
                 first = first_](std::uint32_t key) {
             for (std::uint32_t at = key & mask;; at = (at + 1) & mask) {
                 const Entry& entry = entries[at];
-                if (entry.number < first) return none;
+                if (entry.number < first) return no_index;
                 if (entry.hash == key) return entry.number - first;
             }
         };

@@ -229,14 +229,13 @@ void export_hull_facets(const MeshView& view, Int* out) {
 template <class Int>
 void export_point_map(const MeshView& view, const Buffer<VertexId>& point_map, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
-    const std::uint32_t none = no_index;
     constexpr std::size_t min_items_per_thread = 65536;
     view.team.split(
         point_map.size(), min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
             for (std::size_t k = begin; k < end; ++k) {
                 const std::uint32_t index = indices[point_map[k]];
-                out[k] = index == none ? static_cast<Int>(view.base - 1)
-                                       : static_cast<Int>(index) + static_cast<Int>(view.base);
+                out[k] = index == no_index ? static_cast<Int>(view.base - 1)
+                                           : static_cast<Int>(index) + static_cast<Int>(view.base);
             }
         });
 }

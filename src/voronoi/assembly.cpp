@@ -148,12 +148,11 @@ void Assembly::copy_faces() {
 void Assembly::number_corners() {
     Buffer<std::uint32_t> of_slot(view_.allocator), of_cut(view_.allocator),
         corner_of(view_.allocator);
-    constexpr std::uint32_t none = no_index;
-    of_slot.resize(mesh_.tetrahedra.size(), none);
-    of_cut.resize(cut_.size(), none);
+    of_slot.resize(mesh_.tetrahedra.size(), no_index);
+    of_cut.resize(cut_.size(), no_index);
     Buffer<std::uint32_t>& corners = diagram_.face_corners;
     const auto number_of = [&](std::uint32_t& number, std::uint32_t corner) {
-        if (number == none) {
+        if (number == no_index) {
             number = static_cast<std::uint32_t>(corner_of.size());
             corner_of.push_back(corner);
         }
@@ -172,7 +171,7 @@ void Assembly::number_corners() {
             const Tetrahedron& ghost = mesh_.tetrahedra[slot];
             const TetId inner = tetrahedron_of(ghost.n[ghost.infinite_slot()]);
             std::uint32_t& number = of_slot[centers_.first_equal(slot)];
-            if (number == none) number = add_ray(slot, of_slot[centers_.first_equal(inner)]);
+            if (number == no_index) number = add_ray(slot, of_slot[centers_.first_equal(inner)]);
             corners[i] = number | VoronoiDiagram::ray;
         } else {
             corners[i] = number_of(of_slot[corner], corner);

@@ -90,7 +90,7 @@ TEST_F(RecordDeathTest, Facets) {
 TEST_F(NumbersDeathTest, Names) {
     Numbers numbers(allocator);
     numbers.number(70);
-    EXPECT_DEATH((void)numbers.number(Numbers::none), "a name that nothing has");
+    EXPECT_DEATH((void)numbers.number(no_index), "a name that nothing has");
     EXPECT_DEATH((void)numbers.name(1), "no name has this number");
 }
 

@@ -42,8 +42,8 @@ void expect_equal_volumes(const DomainMesh& m) {
         const Rational part = determinant(point(v[0]), point(v[1]), point(v[2]));
         const std::uint32_t front = m.face_tetrahedra[2 * f], back = m.face_tetrahedra[2 * f + 1];
         // A normal that points out of a region counts positively.
-        if (back != DomainMesh::none) around[m.regions[back]] += part;
-        if (front != DomainMesh::none) around[m.regions[front]] -= part;
+        if (back != no_index) around[m.regions[back]] += part;
+        if (front != no_index) around[m.regions[front]] -= part;
     }
     EXPECT_EQ(inside, around);
 }
@@ -54,8 +54,8 @@ double volume(const DomainMesh& m) {
     for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
         const std::uint32_t* const v = m.faces.begin() + 3 * f;
         const Rational part = determinant(point(v[0]), point(v[1]), point(v[2]));
-        if (m.face_tetrahedra[2 * f + 1] != DomainMesh::none) sum += part;
-        if (m.face_tetrahedra[2 * f] != DomainMesh::none) sum -= part;
+        if (m.face_tetrahedra[2 * f + 1] != no_index) sum += part;
+        if (m.face_tetrahedra[2 * f] != no_index) sum -= part;
     }
     return static_cast<double>(sum / 6);
 }
@@ -330,7 +330,7 @@ TEST(Domain, CheckFindsChanges) {
         for (std::size_t i = 0; i < of->size(); ++i) {
             expect_found(*of, i, (*of)[i] + 1);
             expect_found(*of, i, (*of)[i] == 0 ? 1u : 0u);
-            expect_found(*of, i, DomainMesh::none);
+            expect_found(*of, i, no_index);
         }
     for (std::size_t i = 0; i < m.steiner_parameters.size(); ++i)
         expect_found(m.steiner_parameters, i, m.steiner_parameters[i] / 2);
@@ -349,7 +349,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
     };
     const auto append = [](auto& to, const auto& from, std::uint32_t add) {
         for (const auto of : from)
-            to.push_back(of == DomainMesh::none ? of : static_cast<std::uint32_t>(of) + add);
+            to.push_back(of == no_index ? of : static_cast<std::uint32_t>(of) + add);
     };
     const double centre[3] = {0.5, 0.25, 0.125};
     {

@@ -28,7 +28,7 @@ TEST(NumberTable, NumbersItemsInTheirOrder) {
                 table.reserve(keys.size() + 1);
                 const auto found = expected.find(key);
                 ASSERT_EQ(table.find(key & bits, is_same),
-                          found == expected.end() ? NumberTable::none : found->second);
+                          found == expected.end() ? no_index : found->second);
                 const std::uint32_t number = table.number(key & bits, is_same);
                 if (found == expected.end()) {
                     ASSERT_EQ(number, keys.size());
@@ -73,7 +73,7 @@ TEST(Numbers, LookUpWhatHasCome) {
         }
         const auto lookup = numbers.lookup();
         for (std::uint32_t k = 0; k < 7000; ++k)
-            ASSERT_EQ(lookup(k), k % 7 == 0 ? k / 7 : Numbers::none);
+            ASSERT_EQ(lookup(k), k % 7 == 0 ? k / 7 : no_index);
     }
 }
 

@@ -104,7 +104,7 @@ TEST(PeriodicCheck, RejectsEveryChange) {
                     other(neighbor.number, damaged.size());
                     break;
                 default:
-                    if (neighbor.number == PeriodicTetrahedra::none) continue;
+                    if (neighbor.number == no_index) continue;
                     shift(neighbor.of[axis]);
             }
             EXPECT_NE(built.complaint(damaged), "") << "change " << i;
@@ -165,13 +165,12 @@ TEST(PeriodicCheck, RejectsWhatIsMissingOrThereTwice) {
 TEST(PeriodicCheck, RejectsOpenSides) {
     const Built full(cube, random_points(20, 10)), open(slab, random_points(20, 11));
     Records records = full.records();
-    records[3].neighbors[2].number = PeriodicTetrahedra::none;
+    records[3].neighbors[2].number = no_index;
     expect_complaint(full, records, "tetrahedron 3: it has no neighbour");
     records = open.records();
     for (Record& record : records)
-        if (PeriodicTetrahedra::Neighbor& n = record.neighbors[0];
-            n.number != PeriodicTetrahedra::none) {
-            n.number = PeriodicTetrahedra::none;
+        if (PeriodicTetrahedra::Neighbor& n = record.neighbors[0]; n.number != no_index) {
+            n.number = no_index;
             break;
         }
     expect_complaint(open, records, "facet of the hull");

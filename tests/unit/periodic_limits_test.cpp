@@ -90,8 +90,7 @@ void expect_torus(const Built& built) {
     for (std::size_t i = 0; i < count; ++i) {
         double x[4][3];
         for (unsigned k = 0; k < 4; ++k) {
-            EXPECT_NE(built.tetrahedra().records()[i].neighbors[k].number,
-                      PeriodicTetrahedra::none);
+            EXPECT_NE(built.tetrahedra().records()[i].neighbors[k].number, no_index);
             const Image a = built.tetrahedra()[i].corners[k];
             vertices.insert(a.point);
             built.grid().image(built.halo().point(a.point), a.multiples(), x[k]);

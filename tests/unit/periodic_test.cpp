@@ -310,7 +310,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
         EXPECT_TRUE(found.insert(corners).second);
         for (unsigned k = 0; k < 4; ++k) {
             const PeriodicTetrahedra::Neighbor n = all.records()[i].neighbors[k];
-            if (n.number == PeriodicTetrahedra::none) {
+            if (n.number == no_index) {
                 EXPECT_LT(wrapped.lattice.dimensions(), 3u);
                 continue;
             }
