@@ -18,9 +18,11 @@
 #include "bench/runs.hpp"
 #include "bench/summary.hpp"
 #include "bench/table.hpp"
-#include "cli/commands.hpp"
+#include "cli/counts.hpp"
+#include "cli/data_directory.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/opening.hpp"
 #include "cli/progress.hpp"
 
 namespace mgdt::cli::bench {

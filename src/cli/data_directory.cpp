@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "cli/distributions.hpp"
 #include "cli/system.hpp"
 
 namespace mgdt::cli {
@@ -15,6 +16,15 @@ std::string default_data_directory() {
         if (status && status->kind == system::FileKind::directory) return moved;
     }
     return MGDT_DATA_DIRECTORY;
+}
+
+std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
+                                     const std::string& directory) {
+    std::vector<FileIdentity> files;
+    for (const std::string& name : names) {
+        if (const auto file = identity_of_input(data_path(name, directory))) files.push_back(*file);
+    }
+    return files;
 }
 
 }  // namespace mgdt::cli

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/errors.hpp"
+#include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
+#include "cli/opening.hpp"
 
 namespace mgdt::cli {
 

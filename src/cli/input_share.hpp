@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/commands.hpp"
+#include "cli/opening.hpp"
 
 namespace mgdt::cli {
 

@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "cli/commands.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/opening.hpp"
 #include "predicates/interior_point.hpp"
 
 namespace mgdt::cli {

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/pieces.hpp"
 #include "cli/input_share.hpp"

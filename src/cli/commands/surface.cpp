@@ -1,57 +1,32 @@
 // SPDX-License-Identifier: MIT
-// mgdt surface and mgdt hull: read points and write the surface of their alpha shape or of their
-// convex hull.
+// mgdt surface: reads points and writes the surface of their alpha shape.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
+#include <memory>
+#include <optional>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/solids.hpp"
+#include "cli/surface_of_points.hpp"
 
 namespace mgdt::cli {
 namespace {
 
-const Format& surface_format(const OutputOptions& output) {
-    const Format& format = output_format(output.path, output.to);
-    if (!format.write_surface) {
-        throw Error(exit_usage, fmt::format("{} ({}) has no place for triangles; write .ply, .stl, "
-                                            ".off, .obj or .vtp",
-                                            format.name, format.description));
-    }
-    require_compressible(output.write, format);
-    check_terminal(output, format);
-    check_writable(output.path);
-    return format;
-}
-
-// Reads the points, and triangulates them. Says why there is no surface, if there is none.
-std::pair<Mesh, Triangulation> triangulate_input(const InputOptions& input,
-                                                 const OutputOptions& output,
-                                                 TriangulationOptions options) {
-    std::pair<Mesh, Triangulation> result;
-    auto& [mesh, t] = result;
-    mesh = read_input(input);
-    require_apart(mesh.inputs, {output.path});
-    const std::string name = input_name(input.path);
-    if (!options.quiet) print_left_out(mesh.mid_side_nodes, name);
-    // The surface is then a function of the points alone, to the order of its triangles.
-    options.canonical = true;
-    t = make_triangulation(options);
-    insert(t, mesh.points, name, options.quiet);
-    if (t.dimension() < 3 && !options.quiet)
-        fmt::print(stderr, "mgdt: {}: {}, so there is no surface\n", name, shape(t));
-    return result;
-}
-
-void write_surface(const Surface& surface, const Format& format, const OutputOptions& output) {
-    OutputSet outputs;
-    format.write_surface(surface, outputs.open(output.path), output.write);
-    outputs.commit();
-}
+struct SurfaceOptions {
+    InputOptions input;
+    OutputOptions output;
+    std::string alpha = "auto";  // the radius of the alpha shape; or "auto" for one solid
+    bool largest = false;        // write the solid of largest volume only
+    TriangulationOptions triangulation;
+};
 
 // The square of the radius, or no value for "auto".
 std::optional<double> squared_alpha(const std::string& text) {
@@ -77,15 +52,9 @@ double radius_of(double alpha2) {
     return radius;
 }
 
-// A volume or an area for a message.
-std::string shown(double x) {
-    return std::isfinite(x) ? fmt::format("{:.6g}", x) : "beyond doubles";
-}
-
-}  // namespace
-
 int write_alpha_surface(const SurfaceOptions& options) {
     const Format& format = surface_format(options.output);
+    check_writable(options.output.path);
     std::optional<double> alpha2 = squared_alpha(options.alpha);
     Surface surface;
     std::size_t n_solids = 0, n_points = 0;
@@ -130,27 +99,24 @@ int write_alpha_surface(const SurfaceOptions& options) {
     return exit_ok;
 }
 
-int write_hull(const HullOptions& options) {
-    const Format& format = surface_format(options.output);
-    Surface surface;
-    std::size_t n_points = 0;
-    {
-        const auto [mesh, t] =
-            triangulate_input(options.input, options.output, options.triangulation);
-        n_points = mesh.point_count();
-        std::vector<MeshIndex> triangles(3 * static_cast<std::size_t>(t.hull_facet_count()));
-        t.hull_facets(triangles);
-        surface = with_own_points(triangles, mesh.points);
-    }
-    write_surface(surface, format, options.output);
-    if (!options.triangulation.quiet && options.output.path != "-") {
-        fmt::print("{}, {} on the hull, {}, volume {}, area {}: {}\n",
-                   counted(n_points, "point", "points"), surface.point_count(),
-                   counted(surface.triangle_count(), "triangle", "triangles"),
-                   shown(volume_inside(surface)), shown(area_of(surface)),
-                   printable(options.output.path));
-    }
-    return exit_ok;
-}
+}  // namespace
+
+const Command surface_command = {
+    "surface", "Read points, write the surface of their alpha shape.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<SurfaceOptions>();
+        add_input(app, options->input, "Points; - for standard input");
+        add_output(app, options->output, true);
+        add_compress(app, options->output);
+        app.add_option(
+               "--alpha", options->alpha,
+               "Radius of the largest gap that is filled; or auto for the least one that gives "
+               "one solid with all points (default auto)")
+            ->type_name("R");
+        app.add_flag("--largest", options->largest, "Write the solid of largest volume only");
+        add_triangulation(app, options->triangulation);
+        app.footer(formats_and_exit_codes());
+        return [options] { return write_alpha_surface(*options); };
+    }};
 
 }  // namespace mgdt::cli

@@ -5,15 +5,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <utility>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/grid.hpp"
 #include "cli/periodic_box.hpp"
 
 namespace mgdt::cli {
 namespace {
+
+struct VoronoiOptions {
+    InputOptions input;
+    OutputOptions output;
+    std::string table;  // a .csv file of measures, or empty
+    RegionOptions region;
+    PeriodicOptions periodic;
+    double least_area = 0, least_share = 0;  // of faces that are not left out
+    TriangulationOptions triangulation;
+};
 
 // The arrays of a diagram that the outputs need.
 struct Cells {
@@ -192,8 +207,6 @@ Voronoi diagram_in_box(const VoronoiOptions& options, const Mesh& mesh, const st
     }
 }
 
-}  // namespace
-
 int write_voronoi(const VoronoiOptions& options) {
     const OutputOptions& output = options.output;
     std::vector<std::string> files;
@@ -222,11 +235,9 @@ int write_voronoi(const VoronoiOptions& options) {
         (!options.region.bounds.empty() || !options.region.planes.empty()))
         throw Error(exit_usage, "--box excludes --bounds and --planes");
 
-    Mesh mesh = read_input(options.input);
+    auto [mesh, name] = open_input(options.input, files, options.triangulation.quiet);
     const Planes planes = planes_of(options.region, mesh.points, mesh.inputs);
     require_apart(mesh.inputs, files);
-    const std::string name = input_name(options.input.path);
-    if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
     Voronoi diagram = options.periodic.is_periodic()
                           ? diagram_in_box(options, mesh, name)
                           : diagram_of_points(options, mesh, planes, name);
@@ -263,5 +274,33 @@ int write_voronoi(const VoronoiOptions& options) {
                    printable(output.path));
     return exit_ok;
 }
+
+}  // namespace
+
+const Command voronoi_command = {
+    "voronoi", "Read points, write their Voronoi cells.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<VoronoiOptions>();
+        add_input(app, options->input, "Points; - for standard input");
+        add_output(app, options->output, false);
+        add_index_base(app, options->output);
+        add_compress(app, options->output);
+        app.add_option("--csv", options->table,
+                       "Write a table too, with volume, area, centroid and neighbours of each cell")
+            ->type_name("FILE");
+        add_region(app, options->region);
+        add_periodic(app, options->periodic);
+        app.add_option("--least-area", options->least_area, "Leave out faces of less area")
+            ->check(number_between(0, std::numeric_limits<double>::max()))
+            ->type_name("A");
+        app.add_option(
+               "--least-share", options->least_share,
+               "Leave out faces with less than this share of the area of each of their cells")
+            ->check(number_between(0, 0.999999))
+            ->type_name("X");
+        add_triangulation(app, options->triangulation);
+        app.footer(formats_and_exit_codes());
+        return [options] { return write_voronoi(*options); };
+    }};
 
 }  // namespace mgdt::cli

@@ -5,7 +5,8 @@
 
 #include <chrono>
 
-#include "cli/commands.hpp"
+#include "cli/commands/triangulate.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/pieces.hpp"
 #include "cli/interrupt.hpp"
@@ -56,13 +57,10 @@ int triangulate_in_parts(const TriangulateOptions& options) {
         set_options(parts, options.triangulation);
         {
             // The mesh is freed before the triangulation.
-            const Mesh mesh = read_input(options.input);
-            if (!options.triangulation.quiet)
-                print_left_out(mesh.mid_side_nodes, input_name(options.input.path));
             std::vector<std::string> written = files;
             written.push_back(output.path);
-            require_apart(mesh.inputs, written);
-            insert_into(parts, mesh.points, name);
+            const Opened input = open_input(options.input, written, options.triangulation.quiet);
+            insert_into(parts, input.mesh.points, name);
         }
         with_progress(parts, name, options.triangulation.quiet, [&] {
             parts.build_each([&](const Parts& p, std::int32_t part) {

@@ -4,13 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <utility>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 
 namespace mgdt::cli {
 namespace {
+
+struct InterpolateOptions {
+    InputOptions samples, places;
+    std::string values;  // an .npy file of values; if empty, the values are in `samples`
+    std::vector<std::string> fields;
+    std::string method = "linear", outside = "none";
+    OutputOptions output;
+    TriangulationOptions triangulation;
+};
 
 template <class Value>
 using Choice = std::pair<const char*, Value>;
@@ -104,17 +118,7 @@ std::vector<Field> separated(const std::vector<double>& values, const std::vecto
     return fields;
 }
 
-}  // namespace
-
-std::vector<std::string> interpolation_methods() {
-    return names_of(methods);
-}
-
-std::vector<std::string> interpolation_outsides() {
-    return names_of(outsides);
-}
-
-int interpolate(const InterpolateOptions& options) {
+int interpolate_values(const InterpolateOptions& options) {
     const OutputOptions& output = options.output;
     const Format& format = output_format(output.path, output.to);
     if (!format.write_fields) {
@@ -171,5 +175,45 @@ int interpolate(const InterpolateOptions& options) {
     }
     return exit_ok;
 }
+
+}  // namespace
+
+const Command interpolate_command = {
+    "interpolate", "Read values at points, write values at other places.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<InterpolateOptions>();
+        app.add_option("samples", options->samples.path, "Points with values; - for standard input")
+            ->required()
+            ->type_name("FILE");
+        app.add_option("places", options->places.path, "Places, or a mesh whose nodes are meant")
+            ->required()
+            ->type_name("FILE");
+        add_output(app, options->output, true);
+        add_compress(app, options->output);
+        app.add_option("--method", options->method, "Way to a value (default linear)")
+            ->check(CLI::IsMember(names_of(methods)))
+            ->type_name("NAME");
+        app.add_option("--outside", options->outside,
+                       "Value outside the convex hull (default none, which is nan)")
+            ->check(CLI::IsMember(names_of(outsides)))
+            ->type_name("NAME");
+        CLI::Option* fields = app.add_option("--fields", options->fields,
+                                             "Names of the fields (default: all of numbers)")
+                                  ->delimiter(',')
+                                  ->type_name("LIST");
+        app.add_option("--values", options->values,
+                       "File of the values, an .npy with a row to a sample")
+            ->excludes(fields)
+            ->type_name("FILE");
+        app.add_option("--from", options->samples.from, "Format of the samples")
+            ->type_name("FORMAT");
+        add_columns(app, "--columns", options->samples, "the text of samples");
+        app.add_option("--places-from", options->places.from, "Format of the places")
+            ->type_name("FORMAT");
+        add_columns(app, "--places-columns", options->places, "the text of places");
+        add_triangulation(app, options->triangulation);
+        app.footer(formats_and_exit_codes());
+        return [options] { return interpolate_values(*options); };
+    }};
 
 }  // namespace mgdt::cli

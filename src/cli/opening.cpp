@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Functions that the commands share.
-#include "cli/commands.hpp"
+#include "cli/opening.hpp"
 
 #include <fmt/core.h>
 
-#include <charconv>
-#include <cmath>
+#include <string_view>
 
 #include "cli/errors.hpp"
 #include "cli/formats/mid_side_nodes.hpp"
@@ -51,13 +49,11 @@ void print_left_out(std::size_t mid_side_nodes, const std::string& name) {
                describe_mid_side_nodes(mid_side_nodes));
 }
 
-std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
-                                     const std::string& directory) {
-    std::vector<FileIdentity> files;
-    for (const std::string& name : names) {
-        if (const auto file = identity_of_input(data_path(name, directory))) files.push_back(*file);
-    }
-    return files;
+Opened open_input(const InputOptions& options, const std::vector<std::string>& files, bool quiet) {
+    Opened opened = {read_input(options), input_name(options.path)};
+    require_apart(opened.mesh.inputs, files);
+    if (!quiet) print_left_out(opened.mesh.mid_side_nodes, opened.name);
+    return opened;
 }
 
 void check_terminal(const OutputOptions& options, const Format& format) {
@@ -68,12 +64,35 @@ void check_terminal(const OutputOptions& options, const Format& format) {
     }
 }
 
+const Format& points_format(const OutputOptions& output) {
+    const Format& format = output_format(output.path, output.to);
+    if (!format.write_points) {
+        throw Error(exit_usage, fmt::format("{} ({}) is not for points alone; write .npy, .xyz, "
+                                            ".csv, .f64, .ply or .node",
+                                            format.name, format.description));
+    }
+    check_terminal(output, format);
+    return format;
+}
+
+const Format& surface_format(const OutputOptions& output) {
+    const Format& format = output_format(output.path, output.to);
+    if (!format.write_surface) {
+        throw Error(exit_usage, fmt::format("{} ({}) has no place for triangles; write .ply, .stl, "
+                                            ".off, .obj or .vtp",
+                                            format.name, format.description));
+    }
+    require_compressible(output.write, format);
+    check_terminal(output, format);
+    return format;
+}
+
 const Format& mesh_format(const OutputOptions& output, std::vector<std::string>& files) {
     const Format& format = output_format(output.path, output.to);
     if (!format.write_mesh) {
         throw Error(exit_usage,
-                    fmt::format("{} ({}) has no place for tetrahedra; write .vtu, .msh, "
-                                ".ele or .npy",
+                    fmt::format("{} ({}) has no place for tetrahedra; write .vtu, .msh, .mesh, "
+                                ".inp, .vtk, .ele or .npy",
                                 format.name, format.description));
     }
     require_compressible(output.write, format);
@@ -81,23 +100,6 @@ const Format& mesh_format(const OutputOptions& output, std::vector<std::string>&
     files =
         format.mesh_files ? format.mesh_files(output.path) : std::vector<std::string>{output.path};
     return format;
-}
-
-std::size_t parse_point_count(const std::string& name, const std::string& text) {
-    double value = -1;
-    const char* last = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), last, value);
-    if (result.ec != std::errc() || result.ptr != last || !(value >= 0) || value > 1e15 ||
-        value != std::floor(value)) {
-        throw Error(exit_usage,
-                    fmt::format("{} is {}; a number of points such as 1000 or 1e6 is needed", name,
-                                quote(text)));
-    }
-    return static_cast<std::size_t>(value);
-}
-
-std::string counted(std::size_t n, const char* singular, const char* plural) {
-    return fmt::format("{} {}", n, n == 1 ? singular : plural);
 }
 
 }  // namespace mgdt::cli

@@ -5,14 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 
 namespace mgdt::cli {
 namespace {
+
+struct RelaxOptions {
+    InputOptions input;
+    OutputOptions output;
+    RegionOptions region = {"auto", ""};
+    int steps = 0;
+    TriangulationOptions triangulation;
+};
 
 // Moves the points one step. Returns the largest distance that a point moved. A point that is no
 // vertex, since another one is equal to it, stays; as the other one moves away, it gets a cell of
@@ -46,23 +59,13 @@ double move_to_centroids(Triangulation& t, const Planes& planes, std::vector<dou
     return longest;
 }
 
-}  // namespace
-
 int relax(const RelaxOptions& options) {
     const OutputOptions& output = options.output;
-    const Format& format = output_format(output.path, output.to);
-    if (!format.write_points) {
-        throw Error(exit_usage, fmt::format("{} ({}) is not for points alone; write .npy, .xyz, "
-                                            ".csv, .f64, .ply or .node",
-                                            format.name, format.description));
-    }
-    check_terminal(output, format);
+    const Format& format = points_format(output);
     check_writable(output.path);
-    Mesh mesh = read_input(options.input);
+    auto [mesh, name] = open_input(options.input, {output.path}, options.triangulation.quiet);
     const Planes planes = planes_of(options.region, mesh.points, mesh.inputs);
     require_apart(mesh.inputs, {output.path});
-    const std::string name = input_name(options.input.path);
-    if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
     double longest = 0;
     {
         Triangulation t = make_triangulation(options.triangulation);
@@ -91,5 +94,24 @@ int relax(const RelaxOptions& options) {
     }
     return exit_ok;
 }
+
+}  // namespace
+
+const Command relax_command = {
+    "relax", "Read points, move them to the centroids of their cells, write them.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<RelaxOptions>();
+        add_input(app, options->input, "Points; - for standard input");
+        add_output(app, options->output, true);
+        add_index_base(app, options->output);
+        app.add_option("--steps", options->steps, "Number of steps")
+            ->required()
+            ->check(CLI::Range(0, 1000000))
+            ->type_name("N");
+        add_region(app, options->region);
+        add_triangulation(app, options->triangulation);
+        app.footer(formats_and_exit_codes());
+        return [options] { return relax(*options); };
+    }};
 
 }  // namespace mgdt::cli

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 // mgdt triangulate: reads points and writes tetrahedra.
+#include "cli/commands/triangulate.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <memory>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/peeling.hpp"
 #include "cli/unused_points.hpp"
@@ -41,8 +48,6 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
-}  // namespace
-
 int triangulate(const TriangulateOptions& options) {
     if (options.periodic.is_periodic()) return triangulate_in_box(options);
     if (!options.images.empty() || !options.periodic.directions.empty())
@@ -76,10 +81,7 @@ int triangulate(const TriangulateOptions& options) {
                           ? stderr
                           : stdout;
 
-    Mesh mesh = read_input(options.input);
-    require_apart(mesh.inputs, files);
-    const std::string name = input_name(options.input.path);
-    if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
+    auto [mesh, name] = open_input(options.input, files, options.triangulation.quiet);
     const auto begin = std::chrono::steady_clock::now();
     // The handle takes three times the memory of an array, so it is freed as early as possible.
     Triangulation t = make_triangulation(options.triangulation);
@@ -153,5 +155,50 @@ int triangulate(const TriangulateOptions& options) {
     }
     return exit_ok;
 }
+
+}  // namespace
+
+const Command triangulate_command = {
+    "triangulate", "Read points, write the tetrahedra of their Delaunay triangulation.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<TriangulateOptions>();
+        add_input(app, options->input, "Points; - for standard input");
+        add_output(app, options->output, false);
+        add_index_base(app, options->output);
+        add_compress(app, options->output);
+        add_triangulation(app, options->triangulation);
+        add_scheme_parameters(app, options->triangulation);
+        app.add_option("--neighbors", options->neighbors, "Write the neighbours too, as .npy")
+            ->type_name("FILE");
+        app.add_option("--point-map", options->point_map,
+                       "Write for each point the number of the one that stands for it, as .npy")
+            ->type_name("FILE");
+        app.add_flag("--all-points", options->all_points,
+                     "Write points too that are in no tetrahedron, such as repeats");
+        app.add_flag("--canonical", options->triangulation.canonical,
+                     "Sort the tetrahedra, so that the file depends on the points alone");
+        app.add_option("--check", options->check_level,
+                       "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
+            ->check(CLI::Range(1, 3))
+            ->type_name("LEVEL");
+        add_periodic(app, options->periodic);
+        app.add_option("--images", options->images,
+                       "Write a table of the images that are nodes: node, point and offset of each")
+            ->type_name("FILE");
+        app.add_option("--drop-flat", options->drop_flat,
+                       "Take tetrahedra off the hull whose radius ratio is less, such as 1e-9, one "
+                       "layer after another")
+            ->check(number_between(0, 1))
+            ->type_name("RATIO");
+        app.add_flag("--stats", options->statistics, "Print counts and times");
+        app.add_option(
+               "--parts", options->parts,
+               "Triangulate in so many parts, one in memory at a time; writes FILE.pvtu and "
+               "a .vtu file for each")
+            ->check(CLI::Range(1, 1 << 20))
+            ->type_name("N");
+        app.footer(formats_and_exit_codes());
+        return [options] { return triangulate(*options); };
+    }};
 
 }  // namespace mgdt::cli

@@ -7,7 +7,8 @@
 #include <array>
 #include <chrono>
 
-#include "cli/commands.hpp"
+#include "cli/commands/triangulate.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/periodic_box.hpp"
 #include "cli/unused_points.hpp"
@@ -117,9 +118,7 @@ int triangulate_in_box(const TriangulateOptions& options) {
     std::FILE* const text =
         std::find(files.begin(), files.end(), "-") != files.end() ? stderr : stdout;
 
-    Mesh mesh = read_input(options.input);
-    require_apart(mesh.inputs, files);
-    const std::string name = input_name(options.input.path);
+    auto [mesh, name] = open_input(options.input, files, options.triangulation.quiet);
     const auto begin = std::chrono::steady_clock::now();
     const Periodic box = make_periodic(options.periodic, options.triangulation, mesh, name);
     const double seconds =

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <numeric>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "predicates/predicates.hpp"
 
@@ -44,8 +49,6 @@ std::size_t duplicates(const std::vector<double>& points) {
     return count;
 }
 
-}  // namespace
-
 int info(const InputOptions& options) {
     const Format* format = nullptr;
     const Mesh mesh = read_input(options, &format);
@@ -79,5 +82,16 @@ int info(const InputOptions& options) {
     }
     return exit_ok;
 }
+
+}  // namespace
+
+const Command info_command = {
+    "info", "Print what is in a file: format, counts, duplicates, dimension, extent.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<InputOptions>();
+        add_input(app, *options, "Points or tetrahedra");
+        app.footer(exit_codes());
+        return [options] { return info(*options); };
+    }};
 
 }  // namespace mgdt::cli

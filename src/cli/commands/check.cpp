@@ -3,8 +3,13 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <functional>
+#include <memory>
 
-#include "cli/commands.hpp"
+#include "cli/commands/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/help.hpp"
+#include "cli/counts.hpp"
 #include "cli/domain_program.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/mid_side_nodes.hpp"
@@ -12,6 +17,14 @@
 
 namespace mgdt::cli {
 namespace {
+
+struct CheckOptions {
+    InputOptions input;
+    std::string points;           // file of the points, if `input` is an array of tetrahedra
+    int index_base = 0;           // the index base of that array
+    bool is_constrained = false;  // check a mesh that need not be Delaunay or convex
+    TriangulationOptions triangulation;
+};
 
 // Reads tetrahedra from an .npy file and points from another file.
 Mesh read_pair(const CheckOptions& options) {
@@ -82,8 +95,6 @@ int check_constrained(const Mesh& mesh, const Reference& reference, const CheckO
         fmt::print("{}: a mesh whose boundary does not cross itself\n", name);
     return exit_ok;
 }
-
-}  // namespace
 
 int check(const CheckOptions& options) {
     const bool quiet = options.triangulation.quiet;
@@ -158,5 +169,30 @@ int check(const CheckOptions& options) {
     }
     return exit_ok;
 }
+
+}  // namespace
+
+const Command check_command = {
+    "check",
+    "Prove that a file holds a Delaunay triangulation of its points, whoever wrote it. Points "
+    "alone are triangulated and the result is checked.",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto options = std::make_shared<CheckOptions>();
+        add_input(app, options->input, "Tetrahedra (.vtu, .msh, .ele, .npy) or points");
+        app.add_option("--points", options->points,
+                       "File of the points, if FILE is an .npy of tetrahedra")
+            ->type_name("FILE");
+        app.add_option("--index-base", options->index_base,
+                       "Number of the first point in that .npy")
+            ->check(CLI::IsMember({0, 1}))
+            ->type_name("0|1");
+        app.add_flag("--constrained", options->is_constrained,
+                     "Check a mesh that need not be Delaunay or convex: tetrahedra that meet in "
+                     "faces, and a boundary that does not cross itself. Files with triangles "
+                     "that are no Delaunay triangulation are checked so, too");
+        add_triangulation(app, options->triangulation);
+        app.footer(exit_codes());
+        return [options] { return check(*options); };
+    }};
 
 }  // namespace mgdt::cli
