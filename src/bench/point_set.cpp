@@ -15,8 +15,8 @@
 
 #include "bench/child.hpp"
 #include "bench/status.hpp"
-#include "cli/distributions.hpp"
 #include "cli/errors.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 namespace mgdt::cli::bench {
 namespace {

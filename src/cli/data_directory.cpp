@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "cli/system.hpp"
 
 namespace mgdt::cli {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/random_points.hpp"
+#include "cli/point_sets/random_points.hpp"
 
 namespace mgdt::cli {
 

@@ -30,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 #include <voro++/voro++.hh>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.hpp"
 

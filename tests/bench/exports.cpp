@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"
 

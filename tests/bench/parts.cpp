@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "measure.hpp"
 #include "parts/in_process.hpp"
 

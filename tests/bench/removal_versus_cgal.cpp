@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "core/triangulation.hpp"
 #include "measure.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "../faults/degenerate_sets.hpp"
 #include "../unit/point_families.hpp"
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 namespace bench {
 namespace {

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "cycles.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"

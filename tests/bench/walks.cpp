@@ -14,7 +14,7 @@
 #include <map>
 
 #include "../unit/unwatched.hpp"
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "core/triangulation.hpp"
 #include "order/grid.hpp"
 #include "query/check.hpp"

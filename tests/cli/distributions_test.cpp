@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The point generators: counts, shapes, exactness of the degenerate sets.
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-#include "cli/random_points.hpp"
+#include "cli/point_sets/random_points.hpp"
 #include "generated_points.hpp"
 
 namespace mgdt::cli {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/distributions.hpp"
-#include "cli/random_points.hpp"
+#include "cli/point_sets/distributions.hpp"
+#include "cli/point_sets/random_points.hpp"
 
 namespace mgdt::cli {
 

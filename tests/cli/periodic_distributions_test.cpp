@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../small.h"
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "mgdt/mgdt.hpp"
 
 namespace mgdt::cli {

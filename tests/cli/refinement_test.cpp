@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The finite-element meshes of docs/data, their reader, and local refinement.
-#include "cli/refinement.hpp"
+#include "cli/point_sets/refinement.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "../property/handle.hpp"
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "degenerate_sets.hpp"
 
 namespace faults {

@@ -11,7 +11,7 @@
 #include <ostream>
 #include <vector>
 
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 namespace property {
 

@@ -10,7 +10,7 @@
 #include <voro++/voro++.hh>
 
 #include "../small.h"
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 #include "mgdt/mgdt.hpp"
 
 namespace {

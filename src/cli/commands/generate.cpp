@@ -12,8 +12,8 @@
 #include "cli/commands/help.hpp"
 #include "cli/counts.hpp"
 #include "cli/data_directory.hpp"
-#include "cli/distributions.hpp"
 #include "cli/errors.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 namespace mgdt::cli {
 namespace {

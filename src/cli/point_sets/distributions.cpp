@@ -2,16 +2,16 @@
 //
 // The smooth distributions and the table of all kinds. In the comments u is uniform in [0, 1), d a
 // uniform random direction, j uniform in [-w/2, w/2), drawn anew for each coordinate.
-#include "cli/distributions.hpp"
+#include "cli/point_sets/distributions.hpp"
 
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
 
 #include "cli/element_mesh.hpp"
-#include "cli/hostile.hpp"
-#include "cli/random_points.hpp"
-#include "cli/refinement.hpp"
+#include "cli/point_sets/hostile.hpp"
+#include "cli/point_sets/random_points.hpp"
+#include "cli/point_sets/refinement.hpp"
 
 namespace mgdt::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "cli/random_points.hpp"
+#include "cli/point_sets/random_points.hpp"
 
 namespace mgdt::cli::hostile {
 

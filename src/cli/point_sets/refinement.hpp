@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/element_mesh.hpp"
-#include "cli/random_points.hpp"
+#include "cli/point_sets/random_points.hpp"
 
 namespace mgdt::cli {
 

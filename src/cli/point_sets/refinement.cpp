@@ -4,7 +4,7 @@
 // tetrahedra around it. Inside a tetrahedron the longest marked edge goes first. Since that order
 // is one of edges, not of tetrahedra, the two sides of a face cut it alike, and the mesh stays
 // conforming. The spacing shrinks from pass to pass.
-#include "cli/refinement.hpp"
+#include "cli/point_sets/refinement.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/hostile.hpp"
+#include "cli/point_sets/hostile.hpp"
 
 #include <cmath>
 #include <limits>
