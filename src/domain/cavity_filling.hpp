@@ -2,7 +2,7 @@
 // Fills the part of a mesh that a facet crosses, on each side of the facet.
 #pragma once
 
-#include "domain/boundary.hpp"
+#include "boundary/boundary.hpp"
 #include "domain/facet_walk.hpp"
 #include "domain/open_faces.hpp"
 #include "domain/vertex_triangulation.hpp"

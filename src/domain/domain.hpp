@@ -8,9 +8,9 @@
 
 #include <optional>
 
-#include "domain/boundary_edges.hpp"
+#include "boundary/boundary_edges.hpp"
+#include "boundary/validation.hpp"
 #include "domain/domain_mesh.hpp"
-#include "domain/validation.hpp"
 #include "platform/stage_progress.hpp"
 
 namespace mgdt {

@@ -2,7 +2,7 @@
 // The mesh of a domain, as the caller reads it.
 #pragma once
 
-#include "domain/complex.hpp"
+#include "boundary/complex.hpp"
 #include "domain/facet_insertion.hpp"
 #include "domain/regions.hpp"
 #include "domain/rounding_grid.hpp"

@@ -2,8 +2,8 @@
 // Puts the facets of a boundary into a mesh whose edges include all of its subsegments.
 #pragma once
 
+#include "boundary/planar_facets.hpp"
 #include "domain/constrained_mesh.hpp"
-#include "domain/planar_facets.hpp"
 #include "domain/segment_splitting.hpp"
 
 namespace mgdt {

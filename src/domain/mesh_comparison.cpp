@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "boundary/planar_facets.hpp"
 #include "core/affine_basis.hpp"
-#include "domain/planar_facets.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 

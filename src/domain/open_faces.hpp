@@ -2,7 +2,7 @@
 // The faces around the part of a cavity that is not filled yet.
 #pragma once
 
-#include "domain/box_tree.hpp"
+#include "boundary/box_tree.hpp"
 #include "mesh/facet_turns.hpp"
 #include "platform/hash.hpp"
 #include "platform/number_table.hpp"

@@ -2,8 +2,8 @@
 // The parts into which facets divide a mesh.
 #pragma once
 
+#include "boundary/input.hpp"
 #include "domain/constrained_mesh.hpp"
-#include "domain/input.hpp"
 #include "domain/rounding_grid.hpp"
 
 namespace mgdt {

@@ -9,8 +9,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <map>
 
+#include "boundary/polygon.hpp"
 #include "domain/mesh_check.hpp"
-#include "domain/polygon.hpp"
 #include "surfaces.hpp"
 #include "unwatched.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Triangulations of polygons beside a plain search for the shortest ear, in integers.
-#include "domain/polygon.hpp"
+#include "boundary/polygon.hpp"
 
 #include <gtest/gtest.h>
 

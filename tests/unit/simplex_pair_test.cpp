@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pairs of points, segments and triangles beside the vertices of the polytope of their common
 // points, in integers.
-#include "domain/simplex_pair.hpp"
+#include "boundary/simplex_pair.hpp"
 
 #include <gtest/gtest.h>
 

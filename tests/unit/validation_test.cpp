@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pairs of a boundary that offend, beside a test of all pairs.
-#include "domain/validation.hpp"
+#include "boundary/validation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/boundary_edges.hpp"
+#include "boundary/boundary_edges.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/box_tree.hpp"
+#include "boundary/box_tree.hpp"
 
 namespace mgdt {
 

@@ -2,8 +2,8 @@
 // What bounds a domain: triangles, segments, and points that belong to neither.
 #pragma once
 
-#include "domain/box_tree.hpp"
-#include "domain/simplex_pair.hpp"
+#include "boundary/box_tree.hpp"
+#include "boundary/simplex_pair.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {

@@ -3,7 +3,7 @@
 // together.
 #pragma once
 
-#include "domain/complex.hpp"
+#include "boundary/complex.hpp"
 #include "platform/no_index.hpp"
 
 namespace mgdt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/simplex_pair.hpp"
+#include "boundary/simplex_pair.hpp"
 
 #include <algorithm>
 

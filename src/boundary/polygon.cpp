@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/polygon.hpp"
+#include "boundary/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // The boundary that a caller's points, facets and segments make.
 #pragma once
 
-#include "domain/boundary.hpp"
-#include "domain/input.hpp"
+#include "boundary/boundary.hpp"
+#include "boundary/input.hpp"
 
 namespace mgdt {
 

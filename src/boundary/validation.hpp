@@ -2,7 +2,7 @@
 // Whether a boundary can bound: its triangles, segments and points meet in common faces only.
 #pragma once
 
-#include "domain/boundary.hpp"
+#include "boundary/boundary.hpp"
 #include "platform/stage_progress.hpp"
 
 namespace mgdt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/validation.hpp"
+#include "boundary/validation.hpp"
 
 #include <algorithm>
 #include <functional>

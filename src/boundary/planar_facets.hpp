@@ -2,7 +2,7 @@
 // The planar facets of a boundary, which are unions of its triangles, and its segments.
 #pragma once
 
-#include "domain/boundary.hpp"
+#include "boundary/boundary.hpp"
 
 namespace mgdt {
 

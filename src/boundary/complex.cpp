@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "domain/complex.hpp"
+#include "boundary/complex.hpp"
 
-#include "domain/polygon.hpp"
+#include "boundary/polygon.hpp"
 #include "platform/error.hpp"
 #include "platform/hash.hpp"
 #include "platform/number_table.hpp"

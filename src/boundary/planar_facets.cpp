@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "domain/planar_facets.hpp"
+#include "boundary/planar_facets.hpp"
 
-#include "domain/boundary_edges.hpp"
+#include "boundary/boundary_edges.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "platform/no_index.hpp"
 #include "predicates/predicates.hpp"

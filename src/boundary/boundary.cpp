@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/boundary.hpp"
+#include "boundary/boundary.hpp"
 
 namespace mgdt {
 
