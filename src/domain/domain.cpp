@@ -170,56 +170,37 @@ void Domain::run(StageProgress& progress, DomainMesh& mesh) {
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
     progress.leave_behind(0.05);
     open_edges_ = mgdt::open_edges(complex, allocator_);
-    const auto try_again = [&](int bits, bool avoids_short_parts, bool may_take_long) {
-        return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts, may_take_long,
-                       make_complex(input_, allocator_), progress, mesh);
-    };
-    const auto forgive = [&](const Error& e) {
-        if (e.status != MGDT_ERR_RESOLUTION) throw;
-        offences_.reset();
-    };
-    int bits = RoundingGrid::usual_bits;
-    Stuck stuck;
-    try {
-        stuck = mesh_on(RoundingGrid(input_.points, bits), false, false, std::move(complex),
-                        progress, mesh);
-    } catch (const Error& e) {
-        // Rounding has made the boundary invalid: it has fine details, or a stray point far away.
-        forgive(e);
-        bits = RoundingGrid::most_bits;
-        progress.leave_behind(0.1);
-        stuck = try_again(bits, false, false);
-    }
-    Stuck first = stuck;
-    int slow_bits = stuck && stuck->takes_long ? bits : 0;
-    // First the rule against short parts is tried on the same grid, then coarser grids, on which a
-    // segment has more points at which it can be divided.
-    for (bool is_same_grid = true; stuck && bits > RoundingGrid::least_bits; is_same_grid = false) {
-        if (!is_same_grid) bits -= 4;
-        progress.leave_behind(0.8);
+    Attempts attempts;
+    Stuck reported;
+    for (bool is_last = false; !is_last; complex = make_complex(input_, allocator_)) {
+        const Attempt attempt = attempts.current();
+        progress.leave_behind(attempts.share_passed());
+        Stuck stuck;
+        std::optional<Error> refused;
         try {
-            stuck = try_again(bits, true, false);
+            stuck = mesh_on(attempt, std::move(complex), progress, mesh);
         } catch (const Error& e) {
-            forgive(e);
-            break;
+            // Rounding has made the boundary invalid.
+            if (e.status != MGDT_ERR_RESOLUTION) throw;
+            refused = e;
         }
-        if (stuck && stuck->takes_long) slow_bits = bits;
+        if (!stuck && !refused) return;
+        if (stuck && (!reported || attempt.may_take_long)) reported = stuck;
+        is_last = !attempts.advance(refused             ? Attempts::Result::too_coarse
+                                    : stuck->takes_long ? Attempts::Result::took_long
+                                                        : Attempts::Result::stuck);
+        if (!refused) continue;
+        if (is_last && (!reported || attempt.may_take_long)) throw *refused;
+        offences_.reset();
     }
-    // The coarsest grid on which it took too long may suffice after all.
-    if (stuck && slow_bits != 0) {
-        progress.leave_behind(0.8);
-        stuck = try_again(slow_bits, true, true);
-        if (stuck) first = stuck;
-    }
-    if (!stuck) return;
     const auto number = [&](std::size_t k) {
-        return static_cast<long long>(first->ends[k]) + settings_.index_base;
+        return static_cast<long long>(reported->ends[k]) + settings_.index_base;
     };
-    if (slow_bits != 0)
+    if (attempts.has_taken_long())
         fail(MGDT_ERR_RESOLUTION,
              "%zu points on segments do not suffice: the segment from point %lld to point %lld is "
              "missing, and more would take too long",
-             first->steiner_points, number(0), number(1));
+             reported->steiner_points, number(0), number(1));
     fail(MGDT_ERR_RESOLUTION,
          "the segment from point %lld to point %lld needs points nearer to each other than double "
          "precision allows",
@@ -228,8 +209,9 @@ void Domain::run(StageProgress& progress, DomainMesh& mesh) {
 
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
 // more finely than doubles can, there is no mesh, and the result is its ends.
-Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
-                              Complex complex, StageProgress& progress, DomainMesh& mesh) {
+Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
+                              DomainMesh& mesh) {
+    const RoundingGrid grid(input_.points, attempt.bits);
     const StopRequest stop = stop_.request();
     mesh = DomainMesh(mesh.points.allocator());
     progress.enter(0, 0.1);
@@ -252,9 +234,9 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     });
     DividedSegments segments(allocator_);
     if (triangulation.dimension() == 3)
-        segments =
-            split_segments(triangulation, points, facets.segments, progress, avoids_short_parts,
-                           most_work(complex.boundary.points.size() / 3, may_take_long), stop);
+        segments = split_segments(
+            triangulation, points, facets.segments, progress, attempt.avoids_short_parts,
+            most_work(complex.boundary.points.size() / 3, attempt.may_take_long), stop);
     if (segments.stuck != no_index) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];

@@ -10,6 +10,7 @@
 
 #include "boundary/boundary_edges.hpp"
 #include "boundary/validation.hpp"
+#include "domain/attempts.hpp"
 #include "domain/domain_mesh.hpp"
 #include "platform/stage_progress.hpp"
 
@@ -99,8 +100,8 @@ class Domain {
         std::size_t steiner_points;  // how many there were then
     };
     using Stuck = std::optional<StuckSegment>;
-    Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
-                  Complex complex, StageProgress& progress, DomainMesh& mesh);
+    Stuck mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
+                  DomainMesh& mesh);
 
     mutable Allocator allocator_;
     DomainSettings settings_;
