@@ -20,7 +20,8 @@ double length_of(const double* a) {
     return std::sqrt(dot(a, a));
 }
 
-// The cross product in pairs of doubles: vectors of an obtuse basis may be nearly parallel.
+// The cross product. Pairs of doubles are used because vectors of an obtuse basis may be nearly
+// parallel.
 void cross(const double* a, const double* b, Twofold (&to)[3]) {
     for (unsigned c = 0; c < 3; ++c) {
         const unsigned d = (c + 1) % 3, e = (c + 2) % 3;
@@ -28,7 +29,8 @@ void cross(const double* a, const double* b, Twofold (&to)[3]) {
     }
 }
 
-// The multiples of the caller's vectors are not larger, so that sums of products with 2^30 fit.
+// An upper bound of the coefficients of the basis in terms of the caller's vectors. With it, sums
+// of products with numbers up to 2^30 fit 64 bits.
 constexpr double most_multiples = 0x1p31;
 
 [[noreturn]] void fail_to_span(unsigned dimensions) {
@@ -61,9 +63,9 @@ BoxLattice::BoxLattice(unsigned dimensions, const double* vectors) : dimensions_
 BoxLattice BoxLattice::rounded_to(const double (&units)[3]) const {
     BoxLattice rounded = *this;
     rounded.is_exact_ = true;
-    // A vector that is many times longer than the basis is a multiple of the unit already. In
-    // integers modulo 2^64 each step of the combination is exact, and so is the result, which is
-    // hardly larger than a vector of the basis: below 2^50 units.
+    // A vector that is many times longer than the basis is already a multiple of the unit. In
+    // integers modulo 2^64 each step of the combination is exact. The result is exact too, because
+    // it is hardly larger than a vector of the basis: below 2^50 units.
     for (unsigned c = 0; c < 3; ++c) {
         if (units[c] == 0) continue;
         std::uint64_t given[3] = {};
@@ -90,7 +92,7 @@ BoxLattice BoxLattice::rounded_to(const double (&units)[3]) const {
     return rounded;
 }
 
-// Computes the coordinates of a combination, nearly as well as doubles can.
+// Computes the coordinates of a combination, with an error of about one rounding.
 void BoxLattice::set(Combination& v) const {
     for (unsigned c = 0; c < 3; ++c) {
         Twofold sum = {0, 0};
@@ -111,7 +113,7 @@ void BoxLattice::add(Combination& v, const Combination& w, double factor) const 
     for (unsigned c = 0; c < 3; ++c) v.x[c] += factor * w.x[c];
 }
 
-// Vectors that are not exact are compared with room for rounding, so that each reduction ends.
+// Lengths of vectors that are not exact are compared with a tolerance, so that each reduction ends.
 bool BoxLattice::is_shorter(const Combination& v, const Combination& w) const {
     if (is_exact_) return compare_lengths(v.x, lattice_origin, w.x, lattice_origin) < 0;
     return dot(v.x, v.x) < dot(w.x, w.x) * (1 - 1e-12);
@@ -131,8 +133,8 @@ void BoxLattice::reduce() {
         std::copy_n(transform_[i], 3, v[i].of);
         std::copy_n(basis_[i], 3, v[i].x);
     }
-    // As Lagrange does it for two vectors: takes from each vector what makes it shorter. This
-    // brings oblique boxes near to the end soon.
+    // Lagrange's reduction of pairs of vectors: subtracts from each vector the multiple of another
+    // one that makes it shortest. Very oblique boxes need few steps.
     for (bool has_changed = true; has_changed;) {
         has_changed = false;
         for (unsigned i = 0; i < n; ++i)
@@ -149,7 +151,8 @@ void BoxLattice::reduce() {
                 has_changed = true;
             }
     }
-    // Selling's steps to an obtuse superbase: the sum of the squares of its lengths decreases.
+    // Selling's algorithm for an obtuse superbase. Each step decreases the sum of the squares of
+    // the lengths.
     for (unsigned i = 0; i < n; ++i) add(v[n], v[i], -1);
     const auto step = [&] {
         for (unsigned i = 0; i <= n; ++i)
@@ -166,7 +169,7 @@ void BoxLattice::reduce() {
     if (n > 1)
         while (step()) {
         }
-    // The longest vector of the superbase goes.
+    // The basis is the superbase without its longest vector.
     const auto is_before = [&](const Combination& a, const Combination& b) {
         const int c = compare_lengths(a.x, lattice_origin, b.x, lattice_origin);
         return c != 0 ? c < 0 : std::lexicographical_compare(b.of, b.of + 3, a.of, a.of + 3);
@@ -181,13 +184,13 @@ void BoxLattice::reduce() {
     }
 }
 
-// Completes the basis by vectors that are orthogonal to it, within rounding, and of about the
-// length of the longest.
+// Completes the basis by vectors that are orthogonal to it, within rounding, and about as long as
+// its longest vector.
 void BoxLattice::complete() {
     const double size = length_of(basis_[dimensions_ - 1]);
     if (size == 0) fail_to_span(dimensions_);
     const auto set_normal = [&](const double* a, const double* b, double(&to)[3]) {
-        // Unit vectors, so that the square of the length is in the range of doubles.
+        // Unit vectors are used, so that the squares of lengths are in the range of doubles.
         double unit[2][3];
         for (unsigned c = 0; c < 3; ++c) {
             unit[0][c] = a[c] / length_of(a);
@@ -227,7 +230,7 @@ void BoxLattice::set_dual() {
 }
 
 std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of_basis) const {
-    // Rows and columns that a slab or a wire lacks are 0.
+    // In a slab or a wire, the rows and columns of missing vectors are 0.
     std::array<std::int64_t, 3> of_callers;
     for (unsigned j = 0; j < 3; ++j)
         of_callers[j] = of_basis[0] * transform_[0][j] + of_basis[1] * transform_[1][j] +
@@ -237,8 +240,8 @@ std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of
 
 std::array<std::int64_t, 3> BoxLattice::multiples_of_basis(
     const std::array<std::int64_t, 3>& of_callers) const {
-    // The determinant of the transformation is 1 or -1, so that its inverse is the determinant
-    // times the adjugate, in integers modulo 2^64 too.
+    // The determinant of the transformation is 1 or -1. So the inverse is the determinant times the
+    // adjugate, also in integers modulo 2^64.
     std::uint64_t t[3][3] = {};
     for (unsigned k = 0; k < 3; ++k)
         for (unsigned j = 0; j < 3; ++j)

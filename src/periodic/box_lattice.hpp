@@ -7,7 +7,7 @@
 
 namespace mgdt {
 
-// How many times each vector of a basis is taken.
+// A sum of multiples of the vectors of a basis: how many times each vector is taken.
 using Multiples = std::array<std::int32_t, 3>;
 
 inline Multiples operator+(const Multiples& a, const Multiples& b) {
@@ -46,7 +46,8 @@ class BoxLattice {
     double to_callers(double x) const { return x / factors_[0] / factors_[1]; }
     // A vector of the basis, shortest first, and from dimensions() on an orthogonal complement.
     const double* vector(unsigned k) const { return basis_[k]; }
-    // How often a place contains each of the three vectors. The errors are at most error_of().
+    // The coordinates of a place with respect to the three vectors. Their errors are at most
+    // error_of().
     void coordinates(const double* x, double (&s)[3]) const {
         for (unsigned k = 0; k < 3; ++k)
             s[k] = dual_[k][0] * x[0] + dual_[k][1] * x[1] + dual_[k][2] * x[2];
@@ -54,22 +55,22 @@ class BoxLattice {
     double error_of(unsigned k, double distance_from_origin) const {
         return coordinate_error * slope_[k] * distance_from_origin;
     }
-    // How much coordinate k changes at most over a distance of 1.
+    // The largest change of coordinate k over a distance of 1.
     double slope(unsigned k) const { return slope_[k]; }
-    // A distance from the next lattice point that no place in the span exceeds.
+    // An upper bound of the distance of any place in the span from the nearest lattice point.
     double covering_radius() const { return covering_radius_; }
-    // Converts multiples of the basis, of which none exceeds 2^30 by much, to multiples of the
-    // caller's vectors.
+    // Converts multiples of the basis to multiples of the caller's vectors. Multiples of the basis
+    // may be slightly larger than 2^30.
     std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
-    // The converse, modulo 2^64.
+    // Converts multiples of the caller's vectors to multiples of the basis, modulo 2^64.
     std::array<std::int64_t, 3> multiples_of_basis(
         const std::array<std::int64_t, 3>& of_callers) const;
 
-    // The caller's vector k, of rounded_to() after rounding.
+    // The caller's vector k. In a lattice that rounded_to() has made, the vector is rounded.
     const double* callers_vector(unsigned k) const { return given_[k]; }
 
-    // Coordinates along thinner boxes, or of points higher above a box, are too rough to find the
-    // images of points.
+    // An upper bound of the ratio between the extent of the points and the thickness of the box.
+    // Beyond it, coordinates are too rough to find the images of points.
     static constexpr double largest_ratio = 0x1p38;
 
   private:

@@ -22,7 +22,7 @@ bool are_equal(const Image& a, const Image& b) {
     return a.point == b.point && std::equal(a.of, a.of + 3, b.of);
 }
 
-// An image whose coordinates exceed the box by more than this share of a vector is not in a shell.
+// The largest width of a shell, as a share of a vector.
 constexpr double widest_shell = 0.95;
 
 }  // namespace
@@ -116,7 +116,7 @@ std::size_t Halo::bytes_elsewhere() const {
     return triangulation_ && !passes_through_ ? triangulation_->allocator().bytes() : 0;
 }
 
-// All images in a shell around the box.
+// Adds all images in a shell around the box.
 void Halo::add_first_halo() {
     const BoxLattice& lattice = grid_->lattice();
     const unsigned dimensions = lattice.dimensions();
@@ -173,8 +173,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
     grid_ = &grid;
     points_ = std::move(points);
     own_ = points_.size() / 3;
-    // A limit or a caller's functions hold for the triangulation too. Otherwise it has an allocator
-    // of its own, whose blocks grow without a copy.
+    // If the box has a memory limit or an allocator of the caller, the triangulation uses them.
+    // Otherwise it has its own allocator, whose blocks grow without a copy.
     passes_through_ = allocator_.limit() > 0 || allocator_.allocate_function();
     if (passes_through_)
         triangulation_.emplace(Allocator::allocate_from, Allocator::release_to, &allocator_);
@@ -187,7 +187,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
     candidate_cells_.make(grid.lattice().dimensions(), own_);
     add_first_halo();
     for (const Image& image : expected) add(image);
-    // Memory for the images of later rounds too, which are few as a rule. Growth would copy all.
+    // Reserves memory for the images of later rounds, which are usually few. Growing later would
+    // copy everything.
     triangulation_->reserve(std::min(point_count() + point_count() / 32 + 64, max_points));
     std::size_t first = 0;
     bool is_preliminary = true;
@@ -198,7 +199,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         if (point_count() > first) insert(first, progress);
         Round round(*this, std::size_t{8} << std::min(rounds_, 30u), stop);
         const std::size_t known = point_count();
-        // Points that do not span space do so with these, if the infinite set does.
+        // If the points do not span space but the infinite set does, the basic images of one point
+        // suffice.
         if (triangulation_->dimension() < 3)
             round.add_basic_images(0);
         else if (is_preliminary)
@@ -211,7 +213,7 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         first = known;
         ++rounds_;
     } while (point_count() > first || is_preliminary);
-    // Images that were expected may be those of a point that equals another one.
+    // An expected image may be the image of a point that equals another one.
     for (Image& image : images_) image.point = vertex_of(image.point);
     known_.reset();
     candidate_cells_.reset();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The triangulation of the points in a periodic box and of their halo: the images of points that
-// the stars of these points need to be those of the infinite periodic set.
+// The triangulation of the points in a periodic box and of their halo. The halo consists of those
+// images of points that the stars of the points need, so that these stars are the stars in the
+// triangulation of the infinite periodic set.
 //
-// The first halo is a shell around the box. Then every tetrahedron at a point of the box whose
-// circumball leaves the shell is looked at: the images in its ball have to be known. Those that are
-// not are inserted, until there are none. A tetrahedron that was found right is right at all its
-// images too. docs/theory.md, "Periodic boxes", proves that this ends and what the result is.
+// The first halo is a shell around the box. Each tetrahedron that has a point of the box as a
+// corner and whose circumball leaves the shell is then checked: the halo has to contain all images
+// that are in its ball. Missing images are inserted, until none is missing. If a tetrahedron has
+// passed the check, its images need no check. docs/theory.md, "Periodic boxes", proves that this
+// ends, and what the result is.
 #pragma once
 
 #include <optional>
@@ -34,7 +36,7 @@ inline Image image_of(std::uint32_t point, const Multiples& k) {
              static_cast<std::int8_t>(k[2]), 0}};
 }
 
-// A number for each image. Numbers have the order by points, then by multiples.
+// A key that sorts images by point, and then by multiples.
 inline std::uint64_t order_of(const Image& image) {
     const auto part = [&](unsigned c) {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(image.of[c]) + 128);
@@ -65,15 +67,14 @@ class Halo {
           classes_(allocator),
           class_numbers_(allocator) {}
 
-    // Triangulates points that are wrapped and on the grid, three coordinates each, and what halo
-    // they need. The first halo has the images that are expected, which may be any. Throws as
-    // Triangulation::insert().
+    // Triangulates the points and the halo that they need. The points are wrapped and on the grid,
+    // three coordinates for each. `expected` lists the images of the first halo; any images may be
+    // in it. Throws as Triangulation::insert().
     void build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Image>& expected,
                std::int32_t threads, StageProgress& progress, const StopRequest& stop);
     void clear() noexcept;
 
-    // The points of the box come first, then the images, in the order of their indices in the
-    // triangulation.
+    // The vertices have the indices of the points of the box first, and then those of the images.
     const Triangulation& triangulation() const { return *triangulation_; }
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size() / 3; }
@@ -81,27 +82,27 @@ class Halo {
     const double* point(std::uint32_t index) const {
         return points_.begin() + 3 * std::size_t{index};
     }
-    // The least point of the box at the place of one.
+    // The first of the points of the box that are at the same place as this one.
     std::uint32_t vertex_of(std::uint32_t point) const {
         return triangulation_->mesh().vertices[triangulation_->point_map()[point]].index;
     }
-    // What a point of the triangulation is an image of. Once the halo is built, that is the least
-    // of equal points.
+    // The image that a point of the triangulation is. After a build, it is an image of the first of
+    // equal points.
     Image image(std::uint32_t index) const {
         return index < own_ ? Image{index, {}} : images_[index - own_];
     }
-    // An image that is a corner of a tetrahedron with a point of the box.
+    // An image that is a corner of a tetrahedron with a point of the box, and one such point.
     struct UsedImage {
         std::uint32_t by;
         Image image;
     };
-    // Appends each such image once, with one of these points.
+    // Appends each of these images once.
     void list_used_images(Buffer<UsedImage>& used) const;
     // Memory that the allocator of the halo does not count.
     std::size_t bytes_elsewhere() const;
-    // Of the points of the box, all images are in the halo whose coordinate along vector k exceeds
-    // the box by no more than this, which is first_width times the distance of points that fill the
-    // box evenly, or less.
+    // The width of the shell along vector k, as a share of the vector: the halo contains all images
+    // whose coordinate along this vector exceeds the box by at most this much. The width is at most
+    // `first_width` times the distance of neighbours among points that fill the box evenly.
     double shell(unsigned k) const { return shell_[k]; }
     static constexpr double first_width = 1.6;
     // The number of rounds in which images were added to the first halo.
@@ -121,16 +122,16 @@ class Halo {
     Buffer<double> points_;
     Buffer<Image> images_;
     NumberTable known_;  // of images_
-    // For each point of the box, the round in which the images were added that bound the cell of a
-    // lattice point, counted from 1, or 0.
+    // For each point of the box, the round, counted from 1, in which its basic images were added:
+    // the images that bound the Voronoi cell of a lattice point. 0 if they were not added.
     Buffer<std::uint32_t> basic_round_;
-    // All images are known whose coordinates exceed the box by no more.
+    // The widths of the shell, see shell().
     double shell_[3] = {};
-    // Points of the box with images that may be needed: those in the marked cells.
+    // The points of the box that have images in the marked cells. Only their images may be needed.
     ImageCells candidate_cells_;
     PointTree candidates_;
-    // Classes of tetrahedra, up to multiples of the lattice, whose balls are not in the shell.
-    // Their memory is given back at the end of a build.
+    // The classes of tetrahedra whose balls leave the shell. Two tetrahedra are of one class if a
+    // lattice translation moves one to the other. The memory is given back at the end of a build.
     struct Class {
         Image corners[4];     // sorted, and moved such that the multiples of the first are 0
         std::uint32_t round;  // in which its ball was looked at, counted from 1; or 0

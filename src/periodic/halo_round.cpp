@@ -15,10 +15,11 @@
 namespace mgdt {
 namespace {
 
-// Coordinates of places whose errors are larger say nothing about which images are near.
+// An upper bound of the errors of coordinates. Coordinates with larger errors do not tell which
+// images are near.
 constexpr double rough = 0x1p-4;
-// Of all images of a point, the nearest to a place is within this many vectors of it, and so is a
-// place in the cell of a lattice point (docs/theory.md, "Periodic boxes").
+// The nearest image of a point to any place is within this many vectors of the place. So is the
+// lattice point whose cell contains the place (docs/theory.md, "Periodic boxes").
 constexpr double nearest_range = 1.5;
 
 }  // namespace
@@ -72,7 +73,7 @@ void Halo::Round::add_basic_images(std::uint32_t point) {
 
 void Halo::Round::find_images() {
     find_in_balls();
-    // Of a class that is not right, each tetrahedron needs its own images.
+    // If the class is not final, each tetrahedron of it needs its own images.
     balls_.clear();
     for (const Deferred& deferred : deferred_)
         if (!halo_.classes_[deferred.of].is_right) queue(deferred.tetrahedron, deferred.of);
@@ -147,7 +148,7 @@ bool Halo::Round::leaves_shell(TetId t) const {
         center[c] = scaled(base[c] + half, -mesh_.scale);
         square += size * size;
     }
-    // The error of the centre is at most that of w, a part of the radius that is added to it.
+    // The error of the centre is at most the error of w, so a part of the radius is added.
     const double radius = scaled(std::sqrt(square) * (1 + 0x1p-20) + 2 * s.e, -mesh_.scale);
     return leaves_shell(center, radius);
 }
@@ -188,7 +189,7 @@ bool Halo::Round::is_above_cell(const Ball& ball) const {
 }
 
 void Halo::Round::range_of(const Ball& ball, double (&low)[3], double (&high)[3]) const {
-    // A distant centre is above the cell too, when the basic images are known.
+    // A distant centre also counts as above the cell, if the basic images are known.
     const bool is_near = is_above_cell(ball);
     double s[3];
     lattice().coordinates(is_near ? ball.center : halo_.point(ball.point), s);
@@ -262,7 +263,7 @@ void Halo::Round::each_shift(const Ball& ball, const Visit& visit) const {
     for (unsigned c = 0; c < 3; ++c) w[c] = 2 * ball.offset[c];
     double base[3];  // a copy, since `visit` may add points
     std::copy_n(corner(ball.tetrahedron, 0), 3, base);
-    // A point of the box has coordinates from 0 to 1.
+    // The points of the box have coordinates from 0 to 1.
     std::int32_t first[3] = {}, last[3] = {};
     for (unsigned k = 0; k < lattice().dimensions(); ++k) {
         first[k] = static_cast<std::int32_t>(std::ceil(low[k] - 1 - error_[k]));

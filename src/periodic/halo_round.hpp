@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One round of the construction of a halo: looks at tetrahedra, collects their balls and finds the
-// images in the balls. docs/theory.md, "Periodic boxes", says why these are enough.
+// One round of the construction of a halo: checks tetrahedra, collects the balls of those that need
+// images, and finds these images. docs/theory.md, "Periodic boxes", shows why the images suffice.
 #pragma once
 
 #include <cmath>
@@ -13,18 +13,18 @@ class Halo::Round {
   public:
     Round(Halo& halo, std::size_t most_requests, const StopRequest& stop);
 
-    // Looks at all ghosts and tetrahedra that have points of the box as corners and whose balls
-    // leave the shell, where all images are known.
+    // Checks all ghosts, and all tetrahedra that have a point of the box as a corner and whose
+    // balls leave the shell. Within the shell all images are known.
     void look_at_all();
-    // Of these, looks at those that also have a point with an index of at least `first`.
+    // Checks those of them that also have a corner with an index of at least `first`.
     void look_at_stars(std::size_t first);
-    // Whether tetrahedra were not looked at, since their points had to get their basic images
-    // first.
+    // Whether some tetrahedra were not checked, because their corners had to get their basic images
+    // first. Another round is needed then.
     bool is_preliminary() const { return is_preliminary_; }
 
-    // Adds the images of a point that bound the cell of a lattice point.
+    // Adds the basic images of a point: the images that bound the Voronoi cell of a lattice point.
     void add_basic_images(std::uint32_t point);
-    // Adds the images in the balls to the halo's list.
+    // Adds the images that are in the balls to the list of images of the halo.
     void find_images();
 
   private:
@@ -40,59 +40,61 @@ class Halo::Round {
         return halo_.point(mesh_.vertices[mesh_.tetrahedra[t].v[i]].index);
     }
 
-    // A tetrahedron whose class is being looked at.
+    // A tetrahedron that waits because another one of its class is being checked.
     struct Deferred {
         TetId tetrahedron;
         std::uint32_t of;
     };
-    // The corners in the box. Returns their number.
+    // Writes the corners that are points of the box. Returns their number.
     unsigned find_own(const Tetrahedron& tetrahedron, std::uint32_t (&own)[4]) const;
-    // Looks at a ghost or at a tetrahedron whose ball leaves the shell.
+    // Checks a ghost, or a tetrahedron whose ball leaves the shell.
     void look_at(TetId t);
     void look_at_ghost(const Tetrahedron& tetrahedron);
-    // Puts the ball of a tetrahedron on the list unless its points have to get their basic images
-    // first.
+    // Appends the ball of a tetrahedron to the list. Returns false, and appends nothing, if its
+    // corners have to get their basic images first.
     bool queue(TetId t, std::uint32_t of);
     bool request_basic_images(const std::uint32_t* points, unsigned count);
-    // Whether the basic images of a point were known before this round. A few points get theirs if
-    // they were not; the others may not need them after that.
+    // Returns whether the basic images of a point were known before this round. If they were not,
+    // requests them, but only for few points per round: the other points may not need them any more
+    // after that.
     bool request_basic_images(std::uint32_t point);
-    // Whether the ball of a tetrahedron, which is no ghost, may leave the shell.
+    // Whether the ball of a tetrahedron may leave the shell. The tetrahedron is no ghost.
     bool leaves_shell(TetId t) const;
     bool leaves_shell(const double* center, double radius) const;
     static double size_of(const double* place) {
         return std::fabs(place[0]) + std::fabs(place[1]) + std::fabs(place[2]);
     }
     void set(Ball& ball) const;
-    // A bound on the error of coordinate k of a centre, or of its difference from that of a point.
+    // An upper bound of the error of coordinate k of the centre of a ball, and of the error of its
+    // difference from the coordinate of a point.
     double error_at(const Ball& ball, unsigned k) const {
         return error_[k] + lattice().error_of(k, size_of(ball.center));
     }
-    // Whether the centre may be in the cell that the basic images leave to the point, or above that
-    // cell in a slab or beside a wire. False for a centre so far away that its coordinates are
-    // rough.
+    // Whether the centre of a ball may be in the cell that the basic images of the corner leave to
+    // it. In a slab or a wire, the cell extends beyond the points. False for a centre that is so
+    // far away that its coordinates are rough.
     bool is_above_cell(const Ball& ball) const;
 
-    // The range of coordinates along the vectors in which images of a ball are looked for: in the
-    // ball, and near enough to its centre to be the nearest image of a point.
+    // The range of coordinates in which images of a ball are searched: the range of the ball,
+    // restricted to places that are near enough to its centre to be the nearest image of a point.
     void range_of(const Ball& ball, double (&low)[3], double (&high)[3]) const;
     void find_in_balls();
-    // Calls visit(low, high) for ranges whose union is the part of a ball's range outside of the
-    // shell.
+    // Divides the part of the range of a ball that is outside of the shell into ranges, and calls
+    // visit(low, high) for each.
     template <class Visit>
     void each_range(const Ball& ball, const Visit& visit) const;
-    // Makes the halo's candidates those that were and all points of the box with images in the
-    // range of a ball, but not in the shell.
+    // Adds all points of the box that have images in the range of a ball, but not in the shell, to
+    // the candidates of the halo.
     void collect_candidates();
 
-    // Calls visit(k, power) for the multiples by which images may be in the ball. `power` is that
-    // of points of the box with respect to the ball moved back by these multiples.
+    // Calls visit(k, power) for all multiples k by which an image may be in the ball. `power` gives
+    // the power of points of the box with respect to the ball moved back by k.
     template <class Visit>
     void each_shift(const Ball& ball, const Visit& visit) const;
-    // Adds the image that is deepest in the ball, if there is one. Then those that are in the ball
-    // with it can wait for a later round. If there is none, adds those on the sphere. Where doubles
-    // leave a power uncertain, the exact predicate decides. Returns whether the triangulation has
-    // all images in the closed ball, so that the tetrahedron is right.
+    // Adds the image that is deepest in the ball, if one is inside: other images in the ball can
+    // wait for a later round. If none is inside, adds those on the sphere. Where rounding leaves
+    // the sign of a power open, the exact predicate decides. Returns whether the triangulation has
+    // all images in the closed ball, so that the tetrahedron is final.
     bool find_in(const Ball& ball);
     int side_of(const Ball& ball, std::uint32_t point, const Multiples& k) const;
 

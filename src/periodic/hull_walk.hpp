@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A walk over the tetrahedra whose balls meet a set that goes to infinity, from the hull inward.
+// A walk over the tetrahedra whose balls meet an unbounded set, from the hull inward.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,11 @@
 
 namespace mgdt {
 
-// Calls visit(t) for every ghost and for every tetrahedron for which meets(t) is true and which is
-// connected with a ghost by neighbours for which it is true. If meets(t) tells whether the closed
-// ball of t meets a closed set whose components are unbounded, or errs towards true, these are all
-// tetrahedra whose balls meet it (docs/theory.md, "Periodic boxes"). The mesh has tetrahedra.
+// Calls visit(t) for every ghost, and for every tetrahedron that a ghost is connected with through
+// neighbours for which meets() is true. If meets(t) tells whether the closed ball of t meets a
+// closed set whose components are unbounded, these are all tetrahedra whose balls meet the set;
+// meets() may err towards true. docs/theory.md, "Periodic boxes", has the proof. The mesh has
+// tetrahedra.
 template <class Meets, class Visit>
 void walk_from_hull(const Mesh& mesh, Allocator& allocator, const StopRequest& stop,
                     const Meets& meets, const Visit& visit) {

@@ -8,15 +8,15 @@
 namespace mgdt {
 namespace {
 
-// A cell has a few points if they are spread evenly. More cells would take longer to look at than
-// the points.
+// The number of cells per point. If points are spread evenly, a cell has a few of them; with more
+// cells, the cells would take more time than the points.
 constexpr double cells_per_point = 0.25;
 constexpr double most_cells = 64;  // along a vector
-// Ranges are widened by this, which is more than rounding changes in coordinates of a few boxes.
+// Ranges are widened by this much, which exceeds the rounding errors of coordinates of a few boxes.
 constexpr double slack = 0x1p-40;
-// Cells at this distance from a range, in sides of a cell, are marked too, for the next rounds.
+// Cells within this distance of a range, in sides of a cell, are marked too, for later rounds.
 constexpr double margin = 0.25;
-// So that the sums are below 2^31.
+// With at most this many blocks, the sums are below 2^31.
 constexpr std::int32_t most_blocks = std::int32_t{1} << 30;
 
 }  // namespace
@@ -57,7 +57,7 @@ ImageCells::Block ImageCells::block_of(const double (&low)[3], const double (&hi
 std::uint32_t ImageCells::cell_of(double s, unsigned k) const {
     const std::uint32_t n = cells_[k];
     if (n == 1) return 0;
-    // Rounding may have moved s into the box before or after.
+    // Because of rounding, s may be in the previous or in the next box.
     const auto cell = static_cast<std::uint32_t>((s + 1) * n);
     return cell < n ? cell : cell < 2 * n ? cell - n : cell - 2 * n;
 }
@@ -97,7 +97,7 @@ void ImageCells::add(const double (&low)[3], const double (&high)[3]) {
                 [&](std::size_t at, std::int32_t sign) { sums_[at] += sign; });
 }
 
-// Replaces each number by the sum of those up to it.
+// Replaces each number by the sum of all numbers up to it.
 void ImageCells::sum_up() {
     const std::size_t steps[3] = {sum_at(1, 0, 0), sum_at(0, 1, 0), 1};
     for (unsigned axis = 0; axis < 3; ++axis)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A grid of cells in a periodic box, of which those are marked whose points have images that may be
-// wanted. Ranges of coordinates are those of images, and cells repeat with the periods.
+// A grid of cells in a periodic box. Some cells are marked: their points have images that may be
+// wanted. The ranges of coordinates that functions take are those of images; the cells repeat with
+// the periods.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +14,32 @@ class ImageCells {
   public:
     explicit ImageCells(Allocator& allocator) : sums_(allocator), marks_(allocator) {}
 
-    // Cells of which none is marked, for n points. Directions without periods are not divided.
+    // Makes a grid for n points, without marked cells. Directions without periods are not divided.
     void make(unsigned dimensions, std::size_t n);
     // Gives the memory back.
     void reset() noexcept {
         sums_.reset();
         marks_.reset();
     }
-    // Whether all cells with places in a range are marked. add() may not have been called since
-    // mark().
+    // Whether all cells that meet a range are marked. mark() has been called since the last add().
     bool has_all(const double (&low)[3], const double (&high)[3]) const;
-    // Adds the cells with places in a range, and those that are very near to it, to the cells that
-    // mark() marks. What was marked stays so.
+    // Adds the cells that meet a range, or are very near to it, to those that the next mark()
+    // marks. Marked cells stay marked.
     void add(const double (&low)[3], const double (&high)[3]);
     void mark();
-    // Whether the cell of a point is marked, whose coordinates are from 0 to 1, or a little less or
-    // more.
+    // Whether the cell of a point is marked. The coordinates of the point are from 0 to 1, within
+    // rounding.
     bool has(const double (&s)[3]) const;
 
   private:
-    // Cells from `first`, which is in the box, to `last`, which may be in the next one.
+    // The cells from `first` to `last`. `first` is in the box, and `last` may be in the next box.
     struct Block {
         std::uint32_t first[3], last[3];
     };
     Block block_of(const double (&low)[3], const double (&high)[3], double distance) const;
-    // Calls visit(at, sign) for the places of a block's eight corners in sums_. The sign is 1 at
-    // the first cell and changes with each direction in which the corner is behind the last cell.
+    // Calls visit(at, sign) for the positions in sums_ of the eight corners of a block. The sign is
+    // 1 at the first cell, and changes with each direction in which the corner is behind the last
+    // cell.
     template <class Visit>
     void each_corner(const Block& block, const Visit& visit) const;
     std::uint32_t cell_of(double s, unsigned k) const;
@@ -53,9 +54,9 @@ class ImageCells {
     void sum_up();
 
     std::uint32_t cells_[3] = {1, 1, 1};
-    // For the cells of two boxes along each direction, and one more: if blocks were added since
-    // mark(), the differences of the number of blocks that have the cells; otherwise the number of
-    // marked cells below.
+    // For the cells of two boxes along each direction, and one more cell: after add(), the
+    // differences of the number of blocks that contain a cell; after mark(), the number of marked
+    // cells below a cell.
     Buffer<std::int32_t> sums_;
     Buffer<std::uint8_t> marks_;
     std::int32_t added_ = 0;  // blocks since mark()

@@ -11,11 +11,12 @@
 namespace mgdt {
 namespace {
 
-// The integer nearest to q; of two, the greater one, so that the result moves with q.
+// The integer nearest to q. If two are equally near, the greater one, so that the result is
+// monotone in q.
 double nearest_integer(double q) {
     if (!(std::fabs(q) < 0x1p52)) return q;
     const auto towards_zero = static_cast<double>(static_cast<std::int64_t>(q));
-    // Without branches, which would be mispredicted for half of the numbers.
+    // There are no branches, because half of them would be mispredicted.
     const double below = towards_zero - static_cast<double>(towards_zero > q);
     return below + static_cast<double>(q - below >= 0.5);
 }
@@ -33,7 +34,7 @@ bool PointReach::add(const double* x) {
             rest -= s[k] * lattice_.vector(k)[c];
             size += std::fabs(lattice_.vector(k)[c]);
         }
-        // What is far away cancels, so rounding may leave more than there is.
+        // Large coordinates cancel, so the rest may be larger because of rounding.
         largest_[c] = std::max(largest_[c], std::fabs(rest) + size);
         square += rest * rest;
     }
@@ -54,7 +55,7 @@ void ImageGrid::set_units(const PointReach& reach) {
         // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
         unit_[c] = std::scalbn(1.0, std::max(std::ilogb(size) + 1 - 48, -900));
         per_unit_[c] = 1 / unit_[c];
-        // The caller's coordinates have to be doubles too.
+        // The rounded coordinates in the caller's unit have to be doubles, too.
         const int exponent = std::ilogb(size) + lattice_.exponent();
         if (exponent < -1020 || exponent > 1000)
             fail(MGDT_ERR_INVALID_ARGUMENT,
@@ -87,8 +88,8 @@ bool ImageGrid::is_below(unsigned k, const double* x, bool from_the_far_side) co
     return orientation(lattice_origin, v[0], v[1], v[2]) * handedness_ < 0;
 }
 
-// Takes k times the basis from a point on the grid. In integers modulo 2^64 all steps are exact,
-// and so is the result if it is below 2^53 units.
+// Subtracts k times the basis from a point on the grid. In integers modulo 2^64 all steps are
+// exact, and so is the result if it is below 2^53 units.
 void ImageGrid::reduce(const double* x, const Multiples& k, double* to) const {
     for (unsigned c = 0; c < 3; ++c) {
         to[c] = x[c];
@@ -125,7 +126,7 @@ bool ImageGrid::wrap(const double* x, double* wrapped, Multiples& taken) const {
         taken[k] = static_cast<std::int32_t>(std::floor(s[k]));
     }
     reduce(rounded, taken, wrapped);
-    // Of a distant point, the coordinates were rough.
+    // The first coordinates of a distant point are rough, so the reduction is repeated.
     for (int round = 0; round < 4; ++round) {
         lattice_.coordinates(wrapped, s);
         bool is_done = true;
@@ -138,7 +139,7 @@ bool ImageGrid::wrap(const double* x, double* wrapped, Multiples& taken) const {
         if (is_done) break;
         reduce(rounded, taken, wrapped);
     }
-    // At a face of the box, rounding may have been wrong by one.
+    // At a face of the box, rounding may have put the point into the adjacent box.
     for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
         while (is_below(k, wrapped, false)) {
             --taken[k];

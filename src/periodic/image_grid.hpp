@@ -38,23 +38,25 @@ class ImageGrid {
 
     // The lattice of the rounded vectors. Places on the grid have its exponent.
     const BoxLattice& lattice() const { return lattice_; }
-    // Rounds a point of the caller to the grid and moves it into the box by multiples of the
-    // lattice's basis. The box is the half-open parallelepiped of the basis, which has exactly one
-    // image of each point. The rounded point is `wrapped` plus `taken` times the basis. Returns
-    // false if the point is more than `farthest` boxes away.
+    // Rounds a point of the caller to the grid, and moves it into the box by multiples of the
+    // basis. The box is the half-open parallelepiped of the basis, which has exactly one image of
+    // each point. The rounded point is `wrapped` plus `taken` times the basis. Returns false if the
+    // point is more than `farthest` boxes away.
     bool wrap(const double* x, double* wrapped, Multiples& taken) const;
     // Rounds a point of the caller to the grid.
     void round(const double* x, double* rounded) const;
-    // The point x plus k times the basis. Exact for multiples up to 8, and points in the box.
+    // The point x plus k times the basis. The result is exact if x is in the box and no multiple
+    // exceeds 8.
     void image(const double* x, const Multiples& k, double* to) const {
         for (unsigned c = 0; c < 3; ++c) {
             const double step = k[0] * basis_[0][c] + k[1] * basis_[1][c] + k[2] * basis_[2][c];
             to[c] = x[c] + step;
         }
     }
-    // The distance of two neighbouring coordinates of an axis, or 0 if they are not rounded.
+    // The step of the grid along an axis, or 0 if coordinates along this axis are not rounded.
     double unit(unsigned axis) const { return unit_[axis]; }
-    // No point in the box, or image by multiples up to 4, is farther from the origin.
+    // An upper bound of the magnitudes of the coordinates of points in the box, and of images by
+    // multiples of at most 4.
     double size() const { return size_; }
 
     static constexpr double farthest = 0x1p29;

@@ -6,7 +6,7 @@
 namespace mgdt {
 namespace {
 
-// Fewer points are triangulated in a few rounds anyway.
+// With fewer points, the halo takes few rounds in any case.
 constexpr std::size_t least_points = 4000;
 constexpr std::size_t most_in_group = 16;
 
@@ -14,7 +14,7 @@ void push(Buffer<double>& points, const double* x) {
     for (unsigned c = 0; c < 3; ++c) points.push_back(x[c]);
 }
 
-// Whether a few of the points need more images than points that fill the box evenly.
+// Whether the points of a small sample need more images than points that fill the box evenly.
 bool need_many_images(const ImageGrid& grid, const Buffer<double>& points, StageProgress& progress,
                       const StopRequest& stop) {
     Allocator& allocator = points.allocator();
@@ -25,7 +25,8 @@ bool need_many_images(const ImageGrid& grid, const Buffer<double>& points, Stage
     halo.build(grid, std::move(probe), Buffer<Image>(allocator), 1, progress, stop);
     Buffer<Halo::UsedImage> used(allocator);
     halo.list_used_images(used);
-    // Stars of evenly spaced points need images up to 1.2 of their distances away.
+    // The stars of evenly spaced points need images at up to 1.2 times the distance of neighbouring
+    // points.
     constexpr double share = 1.2 / Halo::first_width;
     double even = 1;
     for (unsigned k = 0; k < grid.lattice().dimensions(); ++k)
@@ -41,7 +42,7 @@ void predict_images(const ImageGrid& grid, const Buffer<double>& points, std::in
     const auto n = static_cast<std::uint32_t>(points.size() / 3);
     StageProgress quiet = progress.quiet();
     if (n < least_points || !need_many_images(grid, points, quiet, stop)) return;
-    // One point of each group of near points is in the sample.
+    // The sample has one point from each group of near points.
     PointTree tree(allocator, most_in_group);
     for (std::uint32_t p = 0; p < n; ++p) tree.push(p, points.begin() + 3 * std::size_t{p});
     tree.make(stop);
@@ -64,7 +65,7 @@ void predict_images(const ImageGrid& grid, const Buffer<double>& points, std::in
     multiples.resize(used.size());
     for (const Halo::UsedImage& u : used)
         multiples[begin_of[u.image.point]++] = u.image.multiples();
-    // Each point of a group will need the images that the point of the sample does.
+    // Each point of a group will need about the images that its point in the sample needs.
     std::size_t group = 0, from = 0;
     tree.each_leaf([&](std::uint32_t begin, std::uint32_t end) {
         for (std::size_t k = from; k < begin_of[group]; ++k)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A guess which images the halo of many points will have, from samples of the points.
+// Predicts which images the halo of many points will have, from samples of the points.
 #pragma once
 
 #include "periodic/halo.hpp"
 
 namespace mgdt {
 
-// Appends images to `expected` if the points need many more than a shell around the box has, as
-// points on lines and surfaces do. Without a guess their halo takes many rounds. The points are
-// wrapped and on the grid. Throws as Halo::build().
+// Appends images to `expected` if the points will need many more images than a shell around the box
+// has. Points on lines and surfaces do; without a prediction, their halo takes many rounds. The
+// points are wrapped and on the grid. Throws as Halo::build().
 void predict_images(const ImageGrid& grid, const Buffer<double>& points, std::int32_t threads,
                     StageProgress& progress, const StopRequest& stop, Buffer<Image>& expected);
 

@@ -10,8 +10,8 @@
 namespace mgdt {
 namespace {
 
-// The points that stay, in cubes of the size of the distance. A table has the last point of each
-// place, and each point the one before it.
+// The points that are not merged, in cubes whose sides are as long as the distance. The table has
+// the last point of each cube, and each point has a link to the previous one.
 class Cubes {
   public:
     Cubes(const Buffer<double>& points, double distance, double size, Allocator& allocator)
@@ -80,7 +80,7 @@ void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrappe
                   Buffer<Multiples>& taken, Allocator& allocator) {
     const BoxLattice& lattice = grid.lattice();
     const unsigned d = lattice.dimensions();
-    // How far the coordinates along the basis reach over a distance.
+    // The largest change of each coordinate along the basis over the distance.
     double reach[3] = {};
     for (unsigned k = 0; k < d; ++k) {
         reach[k] = lattice.slope(k) * distance;
@@ -89,7 +89,8 @@ void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrappe
                  "points are to be merged over a distance of %g, more than an eighth of the box",
                  lattice.to_callers(distance));
     }
-    // Numbers of cubes are below 2^51. Nearer points that are not equal are rare on the grid.
+    // The numbers of cubes are below 2^51. On the grid, points that are nearer to each other and
+    // not equal are rare.
     const double size = std::max(distance, grid.size() * 0x1p-50);
     Cubes cubes(wrapped, distance, size, allocator);
     const auto n = static_cast<std::uint32_t>(wrapped.size() / 3);
@@ -97,7 +98,7 @@ void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrappe
         double* const x = wrapped.begin() + 3 * std::size_t{i};
         double s[3];
         lattice.coordinates(x, s);
-        // The multiples with which the point stays in the box or comes near to it.
+        // The range of multiples that leave the point in the box or within the distance of it.
         std::int32_t low[3] = {}, high[3] = {};
         for (unsigned k = 0; k < d; ++k) {
             const double margin = 1.001 * reach[k] + lattice.error_of(k, grid.size());

@@ -7,12 +7,13 @@
 
 namespace mgdt {
 
+// Merges points whose images are within `distance` of each other, in the unit of the lattice.
 // `wrapped` has the points in the box, three coordinates each, and `taken` the multiples of the
-// basis that were taken from them. Points are taken in their order. A point is merged with the
-// first earlier, unmerged point of which an image is within `distance`, in the unit of the
-// lattice: it gets the coordinates of that point, and the multiples that lead to the image.
-// Distances are rounded. Throws MGDT_ERR_INVALID_ARGUMENT if the distance is more than an eighth
-// of the least distance between opposite faces of the box.
+// basis by which they were moved there. Points are processed in their order. A point is merged with
+// the first earlier, unmerged point that has an image within the distance: it gets the coordinates
+// of that point, and the multiples of that image. Distances are rounded. Throws
+// MGDT_ERR_INVALID_ARGUMENT if the distance is more than an eighth of the least distance between
+// opposite faces of the box.
 void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrapped,
                   Buffer<Multiples>& taken, Allocator& allocator);
 

@@ -77,7 +77,8 @@ void Periodic::remember_images() {
     needed_images_ = std::move(needed);
 }
 
-// The images that are now where those of the last triangulation were.
+// Computes the images that have, relative to the moved points, the shifts of the images of the last
+// triangulation.
 void Periodic::find_expected_images(Buffer<Image>& expected) const {
     constexpr std::int64_t most = 4;
     for (const NeededImage& needed : needed_images_) {
@@ -86,8 +87,8 @@ void Periodic::find_expected_images(Buffer<Image>& expected) const {
         Multiples k = {};
         bool is_near = true;
         for (unsigned c = 0; c < 3 && is_near; ++c) {
-            // Multiples of points fit 32 bits. What the new basis makes of shifts may not be small,
-            // so the sum is taken modulo 2^64; a wrong image is as good as any.
+            // The multiples of points fit 32 bits. A shift in terms of the new basis may be large,
+            // so the sum is computed modulo 2^64: a wrong image costs time, but changes no result.
             const auto of = static_cast<std::int64_t>(
                 static_cast<std::uint64_t>(of_basis[c]) +
                 static_cast<std::uint64_t>(std::int64_t{taken_[needed.point][c]} -

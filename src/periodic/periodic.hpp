@@ -20,19 +20,21 @@ class Periodic {
   public:
     Periodic(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
 
-    // One to three vectors, three finite coordinates each. Removes the triangulation; the next
-    // build starts with the images that it needed, if the number of vectors stays. Throws
-    // MGDT_ERR_INVALID_ARGUMENT, with nothing changed, for vectors that do not span.
+    // Sets one to three vectors, three finite coordinates each, and removes the triangulation. The
+    // next build starts with the images that the last one needed, if the number of vectors is the
+    // same. Throws MGDT_ERR_INVALID_ARGUMENT, with nothing changed, if the vectors do not span.
     void set_vectors(unsigned dimensions, const double* vectors);
     // Throws an Error if n more points are more than can be numbered.
     void require_room(std::size_t n) const;
-    // The coordinates are finite. Every change removes the triangulation.
+    // Appends points, whose coordinates are finite. Every change of the points removes the
+    // triangulation.
     void insert(std::size_t n, const double* xyz);
     // Moves points, with indices from 0, to n places. The next build starts with the images that
     // the last triangulation needed. Throws with nothing changed.
     void move(std::size_t n, const std::uint32_t* points, const double* xyz);
-    // Throws MGDT_ERR_INVALID_ARGUMENT without vectors or for a point too far from the box, Error
-    // and std::bad_alloc; there is no triangulation then.
+    // Triangulates the points. Throws MGDT_ERR_INVALID_ARGUMENT if there are no vectors or if a
+    // point is too far from the box, and what Halo::build() throws. After an exception there is no
+    // triangulation.
     void build();
     // Removes the points and the triangulation.
     void clear() noexcept;
@@ -65,9 +67,9 @@ class Periodic {
     std::size_t vertex_count() const;
     // The least point with the same images.
     std::uint32_t vertex_of(std::uint32_t point) const { return halo_.vertex_of(point); }
-    // How often each of the caller's vectors has to be added to the point of an image, where the
-    // caller has put it, to get the image. The image is seen from a point of the box, and so is
-    // what is returned from where the caller has put that point.
+    // Takes an image relative to the wrapped place of a point of the box. Returns its shift
+    // relative to where the caller has put that point: how many times each of the caller's vectors
+    // is added to the caller's place of the other point.
     std::array<std::int64_t, 3> shift_from(std::uint32_t point, const Image& image) const {
         return grid_->lattice().multiples_of_callers(
             has_one_wrap_ ? image.multiples()
@@ -82,7 +84,7 @@ class Periodic {
     void rounded(std::uint32_t point, double* x) const;
     // One of the caller's vectors after rounding.
     void rounded_vector(std::uint32_t k, double* x) const;
-    // The same in the unit of the lattice.
+    // The rounded coordinates of a point where the caller has put it, in the unit of the lattice.
     void place_of(std::uint32_t point, double* x) const;
 
   private:
@@ -96,8 +98,8 @@ class Periodic {
     std::optional<BoxLattice> lattice_;
     Buffer<double> given_;
     Buffer<Multiples> taken_;  // the multiples by which each point was moved into the box
-    // An image that the last triangulation needed, seen from the point that needed it: how often
-    // each of the caller's vectors is added, where the caller had put both points.
+    // An image that the last triangulation needed, relative to the point that needed it: the shift
+    // between the places where the caller had put the two points.
     struct NeededImage {
         std::uint32_t by, point;
         std::array<std::int64_t, 3> shift;

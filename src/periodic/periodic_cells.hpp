@@ -7,8 +7,8 @@
 
 namespace mgdt {
 
-// Threads for a pass over the triangulation of the points and their halo, and the context in which
-// it is read.
+// Makes a team for a pass over the triangulation of the points and their halo, and what such a pass
+// is given.
 inline Team team_of_halo(const Periodic& periodic) {
     constexpr std::size_t vertices_per_thread = 4096;
     const Triangulation& t = periodic.halo().triangulation();
@@ -18,8 +18,9 @@ inline MeshView view_of_halo(const Periodic& periodic, Team& team) {
     return {team, periodic.halo().triangulation().mesh(), nullptr, periodic.allocator(), 0, false};
 }
 
-// Writes one double for each point of the caller, or three for a centroid, which is relative to the
-// point; 0 for a point that has the images of an earlier one. The points have to span space.
+// Writes the measure of the cell of each point of the caller. Centroids, three numbers each, are
+// relative to the points. A point that has the same images as an earlier one gets 0. The points
+// have to span space.
 void export_periodic_measures(const Periodic& periodic, Measure measure, StageProgress& progress,
                               double* out);
 

@@ -44,7 +44,7 @@ class PeriodicChecker {
     }
 
   private:
-    // Places of the corners of a tetrahedron, moved by multiples of the basis.
+    // The coordinates of the corners of a tetrahedron that is moved by multiples of the basis.
     struct Places {
         double x[4][3];
         const double* p[4];
@@ -87,8 +87,9 @@ class PeriodicChecker {
             reject(i, "it is not positively oriented");
     }
 
-    // The side opposite a corner: its neighbour has the same corners there, on the other side and
-    // turned the other way round, and its fourth corner is outside of the sphere.
+    // Checks the facet opposite a corner: the neighbour there has the same three corners, is on the
+    // other side of the facet with the opposite orientation, and has its fourth corner outside of
+    // the circumsphere.
     void check_side(std::size_t i, unsigned corner) const {
         const Neighbor& n = tetrahedra_[i].neighbors[corner];
         if (n.number == no_index) return check_hull_facet(i, corner);
@@ -124,7 +125,8 @@ class PeriodicChecker {
             reject(i, "a corner of a neighbour is in its circumsphere");
     }
 
-    // The plane of a facet of the hull contains all images of its corners, and no point is beyond.
+    // Checks a facet of the hull: its plane contains all images of its corners, and no point is
+    // beyond.
     void check_hull_facet(std::size_t i, unsigned corner) const {
         Places places;
         place(i, {}, places);
@@ -170,7 +172,8 @@ class PeriodicChecker {
         return false;
     }
 
-    // A place inside of the first tetrahedron is in no other one, and in no image of one.
+    // Checks that a place inside of the first tetrahedron is in no other tetrahedron and in no
+    // image of one.
     void check_cover() const {
         Places home, places;
         place(0, {}, home);
@@ -181,7 +184,7 @@ class PeriodicChecker {
         for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
             progress_.step(i, 0, tetrahedra_.size());
             place(i, {}, places);
-            // The multiples that can bring the tetrahedron there.
+            // The range of multiples that can move the tetrahedron to the place.
             std::int32_t first[3] = {}, last[3] = {};
             for (unsigned k = 0; k < lattice.dimensions(); ++k) {
                 double low = 0, high = 0;

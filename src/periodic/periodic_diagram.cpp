@@ -24,8 +24,8 @@ struct Translated {
     }
 };
 
-// The numbers that translated vertices, or rays, have in the result. Most cells have a shift in
-// common, for which an array is enough.
+// The numbers in the result of translated vertices, or rays. Most cells have the same shift; for
+// this shift, an array has the numbers.
 class TranslatedNumbers {
   public:
     TranslatedNumbers(Allocator& allocator, const Multiples& common)
@@ -36,7 +36,8 @@ class TranslatedNumbers {
           of_key_(allocator) {}
 
     void start(std::size_t count) { of_common_.resize(count, no_index); }
-    // The place of the number: `no_index` until it is set. The next call invalidates the reference.
+    // A reference to the number, which is `no_index` until it is set. The next call invalidates the
+    // reference.
     std::uint32_t& operator[](const Translated& key) {
         if (key.shift == common_) return of_common_[key.number];
         table_.reserve(keys_.size() + 1);
@@ -61,8 +62,9 @@ class TranslatedNumbers {
     Buffer<std::uint32_t> of_key_;
 };
 
-// Takes the cells of the points in the box out of the diagram of them and their halo, and
-// translates them to where the caller has put the points. In `from`, centroids are relative.
+// Copies the cells of the points in the box from the diagram of the points and their halo, and
+// translates them to where the caller has put the points. In `from`, centroids are relative to the
+// points.
 class Extraction {
   public:
     Extraction(const Periodic& periodic, const VoronoiDiagram& from, const VoronoiSources& sources,
@@ -113,7 +115,7 @@ class Extraction {
             write_translated(from_.cell_centroids.begin() + 3 * std::size_t{p}, centroid);
         else
             std::fill_n(centroid, 3, 0.0);
-        // Faces in the order of the neighbours, which does not depend on the halo.
+        // Sorts the faces by their neighbours, so that their order does not depend on the halo.
         order_.clear();
         for (std::uint64_t i = from_.cell_begin[p]; i < from_.cell_begin[p + std::size_t{1}]; ++i)
             order_.push_back({halo_.image(other_side(from_.cell_faces[i])), from_.cell_faces[i]});
@@ -134,8 +136,8 @@ class Extraction {
     std::uint32_t number_of(const Neighbor& neighbor) {
         const auto number = static_cast<std::uint32_t>(to_.face_count());
         const std::uint32_t other = neighbor.image.point;
-        // The two cells meet as they are if the neighbour, seen from the point, has the shift of
-        // its own cell.
+        // The two cells meet where the caller has put their points if the image of the neighbour
+        // has the wrap of the neighbour's own cell.
         const bool is_shared =
             neighbor.image.multiples() + shift_ == periodic_.wrap_of(other) && other != point_;
         if (is_shared && other < point_) return shared_face(neighbor);
@@ -145,7 +147,7 @@ class Extraction {
     }
     // The face that the cell shares with that of a lesser point.
     std::uint32_t shared_face(const Neighbor& neighbor) const {
-        // Without a translation, both sides have the same face in the halo's diagram.
+        // If no translation is involved, both sides have the same face in the diagram of the halo.
         if (neighbor.image.multiples() == Multiples{}) return number_of_face_[neighbor.face];
         const std::uint32_t other = neighbor.image.point;
         const std::uint32_t* const begin = to_.cell_faces.begin() + to_.cell_begin[other];
@@ -180,7 +182,8 @@ class Extraction {
         for (const double c : centroid) to_.face_centroids.push_back(c);
         const std::uint32_t* const begin = from_.face_corners.begin() + from_.face_begin[face];
         const std::uint32_t* const end = from_.face_corners.begin() + from_.face_begin[face + 1];
-        // Corners turn about the direction away from the point. Rays come last.
+        // The corners are in counter-clockwise order about the direction away from the point. Rays
+        // come last.
         const std::uint32_t* const rays = std::find_if(begin, end, is_ray);
         if (is_reversed) {
             for (const std::uint32_t* c = rays; c != begin;) add_corner(*--c);
@@ -196,12 +199,13 @@ class Extraction {
                                        ? ray(corner & ~VoronoiDiagram::ray) | VoronoiDiagram::ray
                                        : vertex(corner));
     }
-    // Writes what is relative to the point, where the caller has put the point.
+    // Converts coordinates that are relative to the point to coordinates where the caller has put
+    // the point.
     void write_translated(const double* x, double* to) const {
         for (unsigned c = 0; c < 3; ++c) to[c] = periodic_.to_callers(place_[c] + x[c]);
     }
 
-    // The number of a vertex of the halo's diagram, translated as the cell.
+    // The number in the result of a vertex of the halo's diagram that is translated as the cell.
     std::uint32_t vertex(std::uint32_t of_halo) {
         const Translated key = {of_halo, shift_};
         std::uint32_t& number = vertices_[key];
@@ -243,7 +247,8 @@ class Extraction {
         for (unsigned i = 0; i < 4; ++i)
             corners[i] = mesh_.vertices[mesh_.tetrahedra[slot].v[i]].index;
     }
-    // Puts the point in the place of a corner of a tetrahedron that has it on its sphere.
+    // Replaces a corner of a tetrahedron by the point, which is on the circumsphere of the
+    // tetrahedron.
     void replace_corner(std::uint32_t (&corners)[4]) const {
         for (unsigned i = 0; i < 4; ++i) {
             std::uint32_t c[4];
@@ -257,8 +262,8 @@ class Extraction {
             return;
         }
     }
-    // Writes where a point of the halo is after its translation by b.shift - a.shift. Returns false
-    // if that is too far away for it to meet anything of the halo.
+    // Writes the place of a point of the halo after a translation by b.shift - a.shift. Returns
+    // false if the place is too far away to meet anything in the halo.
     bool write_point(std::uint32_t index, const Translated& a, const Translated& b,
                      double (&x)[3]) const {
         constexpr std::int64_t most = 8;  // as far as images are exact
@@ -272,8 +277,8 @@ class Extraction {
         periodic_.grid().image(halo_.point(image.point), k, x);
         return true;
     }
-    // Whether two translated vertices are one place: the centres of empty balls are one place if
-    // the balls are one.
+    // Whether two translated vertices are at one place. The centres of two empty balls are equal if
+    // and only if the balls are.
     bool is_same_vertex(const Translated& a, const Translated& b) const {
         if (a.shift == b.shift) return a.number == b.number;
         std::uint32_t of_a[4], of_b[4];
@@ -287,7 +292,7 @@ class Extraction {
         });
     }
 
-    // The number of a ray of the halo's diagram, translated as the cell.
+    // The number in the result of a ray of the halo's diagram that is translated as the cell.
     std::uint32_t ray(std::uint32_t of_halo) {
         const Translated key = {of_halo, shift_};
         if (const std::uint32_t known = rays_[key]; known != no_index) return known;
@@ -309,8 +314,8 @@ class Extraction {
         rays_[key] = number;
         return number;
     }
-    // Whether two translated rays with the same beginning are one: whether their hull facets are in
-    // one plane.
+    // Whether two translated rays that start at the same vertex are equal: whether their hull
+    // facets are in one plane.
     bool is_same_ray(const Translated& a, const Translated& b) const {
         if (a.shift == b.shift) return a.number == b.number;
         std::uint32_t of_a[3], of_b[3];
@@ -339,15 +344,16 @@ class Extraction {
     const VoronoiSources& sources_;
     VoronoiDiagram& to_;
     const Multiples common_;
-    // Of the present cell.
+    // The point of the cell that is being added, and its wrap and place.
     std::uint32_t point_ = 0;
     Multiples shift_ = {};
     double place_[3] = {};
     Buffer<Neighbor> order_;
     Buffer<std::uint32_t> number_of_face_;
     TranslatedNumbers vertices_, rays_;
-    // Where cells have different shifts: the vertices of the result by their coordinates, and the
-    // rays by their vertices; and what each of them was first.
+    // Used where cells have different shifts: finds the vertices of the result by their
+    // coordinates, and the rays by their vertices, with the translated vertex or ray that each was
+    // made from.
     NumberTable by_place_;
     Buffer<Translated> vertex_at_;
     NumberTable by_vertex_;

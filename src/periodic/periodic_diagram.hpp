@@ -8,9 +8,9 @@
 
 namespace mgdt {
 
-// Sets the diagram of the cells. Two cells share a face, and its vertices, if they meet there as
-// they are. A cell that meets an image of another one has the face for itself. The points have to
-// span space. Throws MGDT_ERR_CANCELLED if there is a request to stop.
+// Builds the diagram. Two cells share a face and its vertices if they meet where the caller has put
+// their points. A cell that meets an image of another cell has a face of its own. The points have
+// to span space. Throws MGDT_ERR_CANCELLED if there is a request to stop.
 void build_periodic_diagram(const Periodic& periodic, StageProgress& progress,
                             VoronoiDiagram& diagram);
 

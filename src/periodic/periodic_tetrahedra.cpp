@@ -9,8 +9,8 @@
 namespace mgdt {
 namespace {
 
-// Even permutations of four corners: number 3 i + k brings corner i to the front, and the three
-// others come in cyclic order from one of them on.
+// The even permutations of four corners. Permutation 3 i + k puts corner i first; the other three
+// follow in cyclic order, starting at the k-th of them.
 struct Orders {
     std::uint8_t of[12][4] = {};
     constexpr Orders() {
@@ -25,8 +25,8 @@ struct Orders {
 };
 constexpr Orders orders;
 
-// A side whose neighbour is not in the mesh as a listed tetrahedron: another one of its class is.
-// It has the same facet, moved.
+// A side whose neighbour in the mesh is not a listed tetrahedron, although another tetrahedron of
+// its class is listed. The listed one has the same facet, translated.
 struct OpenSide {
     Image corners[3];  // sorted, and moved such that the multiples of the first are 0
     std::int8_t moved[4];
@@ -96,7 +96,7 @@ class Listing {
     static constexpr std::size_t slots_per_thread = 65536, vertices_per_thread = 8192;
 
     std::uint32_t index_of(VertexId v) const { return mesh_.vertices[v].index; }
-    // The order that brings the corners of a tetrahedron into those of the list.
+    // The permutation that puts the corners of a tetrahedron into the order of the list.
     std::uint8_t order_in_list(TetId slot) const {
         const Tetrahedron& t = mesh_.tetrahedra[slot];
         if (t.is_dead() || t.is_ghost()) return is_no_representative;
@@ -139,8 +139,8 @@ class Listing {
         });
         for (std::size_t p = 0; p < halo_.own_count(); ++p) begin_[p + 1] += begin_[p];
     }
-    // Calls f(vertex, point) for each point of the box that is the first corner of a tetrahedron.
-    // Vertices with near numbers have near tetrahedra; their points are anywhere in the list.
+    // Calls f(vertex, point) for each point of the box that is the first corner of a tetrahedron,
+    // in the order of the vertices: vertices with near numbers have near tetrahedra in memory.
     template <class F>
     void each_first_corner(const F& f) {
         team_.split(mesh_.vertices.size(), vertices_per_thread,
@@ -191,7 +191,7 @@ class Listing {
             }
         });
     }
-    // Finds the neighbours that the mesh has elsewhere as representatives.
+    // Finds the neighbours whose representatives are elsewhere in the mesh.
     void join_crossings() {
         Buffer<OpenSide> sides(records_.allocator());
         for (std::uint32_t i = 0; i < records_.size(); ++i)

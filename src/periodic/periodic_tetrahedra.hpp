@@ -7,16 +7,16 @@
 
 namespace mgdt {
 
-// Each class is represented by the tetrahedron whose lexicographically least corner is in the box,
-// which is corner 0. Corners are positively oriented. Of corners 1 to 3, the first is the least by
-// its point and then by its multiples. The tetrahedra are sorted by their corners in the same way.
+// The representative of a class is the tetrahedron whose lexicographically least corner is in the
+// box; this is corner 0. Corners are positively oriented. Corner 1 is the least of the other three,
+// first by point and then by multiples. The tetrahedra are sorted by their corners in the same way.
 class PeriodicTetrahedra {
   public:
     struct Tetrahedron {
         Image corners[4];
     };
-    // The tetrahedron opposite a corner: its number, and the multiples by which its representative
-    // has to be moved to be there. Without one, the facet is on the hull.
+    // The neighbour opposite a corner: the number of its class, and the multiples by which the
+    // representative of that class is moved. `number` is no_index if the facet is on the hull.
     struct Neighbor {
         std::uint32_t number;
         std::int8_t of[4];

@@ -30,7 +30,7 @@ class PointTree {
     // Makes the tree of all points that were pushed. O(n log n).
     void make(const StopRequest& stop);
 
-    // The number of a point, in the order of the leaves.
+    // The number that was given to push() for the i-th point in the order of the leaves.
     std::uint32_t number(std::uint32_t i) const { return points_[i].number; }
     // Calls f(begin, end) for each leaf.
     template <class F>
@@ -38,11 +38,11 @@ class PointTree {
         for (const BoxNode& node : nodes_)
             if (node.is_leaf()) f(node.begin, node.end);
     }
-    // Finds the point that is deepest in a ball: of those that are inside for certain, the one with
-    // the least power, if that is less than `least`, which becomes its power. Otherwise `deepest`
-    // stays as it is. Powers are rounded. As long as `least` is 0, which it is to begin with, calls
-    // unsure(number) for each point that may be in the closed ball. A power that is NaN, as those
-    // of spheres that are too large for doubles, says nothing of its point.
+    // Finds the point that is deepest in a ball: the one with the least power among those that are
+    // certainly inside. Powers are rounded. If that power is less than `least`, it is written
+    // there, and the number of the point to `deepest`. `least` starts at 0; as long as it is 0, the
+    // function calls unsure(number) for each point that may be in the closed ball. A power that is
+    // NaN, because the sphere is too large for doubles, decides nothing.
     template <class F>
     void search(const RoughPower& power, double& least, std::uint32_t& deepest,
                 const F& unsure) const {

@@ -29,13 +29,13 @@ class RoughPower {
         }
         return sum;
     }
-    // A bound on the error of of(x).
+    // An upper bound of the error of of(x).
     double error_at(const double* x) const {
         double size = 0;
         for (unsigned c = 0; c < 3; ++c) size += std::fabs(x[c] - base_[c]);
         return error_of(size);
     }
-    // Not above of(x), by more than rounding, for any point x of the box.
+    // A lower bound of of(x) over all points x of the box, up to rounding.
     double least_in(const BoundingBox& box) const {
         double sum = 0;
         for (unsigned c = 0; c < 3; ++c) {
@@ -45,7 +45,8 @@ class RoughPower {
         }
         return sum;
     }
-    // A bound on the errors of all points of the box, and of least_in() for each box within.
+    // An upper bound of error_at(x) for all points x of the box, and of the error of least_in() for
+    // each box within this one.
     double error_in(const BoundingBox& box) const {
         double size = 0;
         for (unsigned c = 0; c < 3; ++c)

@@ -17,7 +17,8 @@ VertexNeighbors::VertexNeighbors(Allocator& allocator, const Halo& halo)
     const Mesh& mesh = halo.triangulation().mesh();
     const std::size_t vertices = mesh.vertices.size();
     Team team(halo.triangulation().threads_for(mesh.tetrahedra.size(), slots_per_thread));
-    // By vertices first, since vertices with near numbers are near each other.
+    // The lists are made by vertex first, because vertices with near numbers are near each other in
+    // memory.
     Buffer<std::uint64_t> ends(allocator), found(allocator);
     ends.resize(vertices + 1);
     const auto index = [&](std::size_t v) { return mesh.vertices[static_cast<VertexId>(v)].index; };
@@ -39,7 +40,7 @@ VertexNeighbors::VertexNeighbors(Allocator& allocator, const Halo& halo)
         [&](std::size_t position, std::uint32_t other) {
             found[position] = order_of(halo.image(other));
         });
-    // Few edges are found twice.
+    // Removes repeats. Few edges are found twice.
     team.split(vertices, vertices_per_thread, [&](std::size_t from, std::size_t to, unsigned) {
         for (std::size_t v = from; v < to; ++v) {
             if (ends[v] == ends[v + 1]) continue;

@@ -11,7 +11,8 @@ struct VertexNeighbors {
     VertexNeighbors(Allocator& allocator, const Halo& halo);
 
     Buffer<std::uint64_t> begin;  // where the neighbours of each point begin, and the end
-    // By point, then by multiples, relative to the vertex in the box.
+    // The neighbours of each point are sorted by point, and then by multiples. Multiples are
+    // relative to the vertex in the box.
     Buffer<Image> images;
 };
 
