@@ -50,7 +50,8 @@ Assembly::Assembly(const MeshView& view, const Buffer<VertexId>& vertex_of, cons
     if (end > most) fail(MGDT_ERR_TOO_LARGE, "%zu faces are more than can be numbered", end);
 }
 
-// Items are the faces of the first member, then those of the next one, and so on.
+// Items number the faces of all members: those of member 0 first, then those of member 1, and so
+// on.
 const FoundFaces& Assembly::member_of(std::size_t& item) const noexcept {
     std::size_t m = 0;
     while (item >= ends_[m]) ++m;
@@ -69,7 +70,7 @@ void Assembly::prefetch_corners(std::size_t item) const noexcept {
     prefetch(from.corners.begin() + from.faces[item].begin());
 }
 
-// Sorts the faces by their sides, planes behind points.
+// Sorts the faces by their sides. Planes come after points.
 void Assembly::sort_faces() {
     const std::size_t points = vertex_of_.size();
     Buffer<std::uint32_t> ends(view_.allocator, points + 1);
@@ -218,7 +219,7 @@ void Assembly::set_vertices(const Buffer<std::uint32_t>& corner_of) {
     }
 }
 
-// Marks the cells none of whose faces has a ray. The rays of a face come last.
+// Marks the cells without rays as bounded. The rays of a face are its last corners.
 void Assembly::find_bounded_cells() {
     VoronoiDiagram& d = diagram_;
     d.is_bounded.resize(vertex_of_.size());
@@ -309,7 +310,7 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
         extent = std::max(extent, distance);
     }
     error += (count + 4) * u * magnitudes;
-    // Products in this range have not lost digits by underflow.
+    // Products in this range have lost no digits by underflow.
     constexpr double least = 0x1p-900, most = 0x1p900;
     if (!(sum > least && sum < most && error <= 0.5 * measure_error * sum &&
           moment_error + extent * error <= 0.5 * measure_error * extent * sum))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The diagram from the faces that were found: faces sorted by their points, vertices and rays
-// numbered by their first face, cells as lists of faces.
+// Makes the diagram from the faces that were found: sorts the faces by their sides, numbers
+// vertices and rays in the order of the faces, and lists the faces of each cell.
 #pragma once
 
 #include "dual/region.hpp"
@@ -26,12 +26,13 @@ class Assembly {
     void number_corners();
     void find_bounded_cells();
     void list_cells();
-    // `first` has a tetrahedron of each vertex. Cells from `measured` on are left out.
+    // Computes volumes and centroids of the cells of points with indices below `measured`. `first`
+    // has a tetrahedron of each vertex.
     void measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
                        std::size_t measured, StageProgress& progress);
 
   private:
-    // The faces that contain an item; `item` becomes its position among them.
+    // The faces of the member that an item belongs to. `item` becomes its position among them.
     const FoundFaces& member_of(std::size_t& item) const noexcept;
     void prefetch_face(std::size_t item) const noexcept;
     void prefetch_corners(std::size_t item) const noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The circumcentres of all tetrahedra, and which of them are one point.
+// The circumcentres of all tetrahedra, and which of them coincide.
 #pragma once
 
 #include "parallel/disjoint_sets.hpp"
@@ -17,7 +17,7 @@ class Circumcenters {
 
     // The circumcentre of the finite tetrahedron in a slot. All coordinates carry the mesh's scale.
     const SplitPoint& operator[](TetId t) const noexcept { return centers_[t]; }
-    // The factor of the corrections, a power of two.
+    // The corrections of coordinates carry this factor, a power of two.
     double factor() const noexcept { return factor_; }
     // The first slot of the tetrahedra that have the same circumcentre as the one in slot t. For a
     // ghost: the first slot of the ghosts that have the same ray.

@@ -41,8 +41,8 @@ void CutCorners::add_half_space(std::uint32_t of, HalfSpaces& to) const {
         to.add_nearer_side(point(of));
 }
 
-// Sets the half-spaces 0, 1 and 2 to those of a corner. The least member of a key is a site, since
-// planes are larger.
+// Sets the half-spaces 0, 1 and 2 to those of a corner. The least member of its key is a site,
+// because numbers of planes are larger.
 void CutCorners::set_planes(const Key& key) {
     half_spaces_.clear(point(key.of[0]), 1);
     for (int i = 1; i < 4; ++i) add_half_space(key.of[i], half_spaces_);
@@ -69,8 +69,8 @@ SplitPoint CutCorners::position(const Key& key) {
     return split(x.x, error, nearest, centers_.factor());
 }
 
-// Whether the corners of two keys are one point: whether the first one is on all planes of the
-// second one, and as far from its sites as from its own.
+// Whether the corners of two keys are at one point. They are if the first corner is on all planes
+// of the second key, and as far from the sites of the second key as from its own.
 bool CutCorners::is_same(const Key& a, const Key& b) {
     set_planes(a);
     PlaneNumber next = 3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners of faces that a region cuts. Each point of space is one corner, however many planes
-// meet there.
+// The corners of faces that a region cuts. Each point of space is one corner, regardless of the
+// number of planes that meet there.
 #pragma once
 
 #include "dual/half_spaces.hpp"
@@ -17,15 +17,18 @@ class CutCorners {
     CutCorners(const MeshView& view, const VertexIndices& indices, const Region& region,
                const Circumcenters& centers, const Buffer<VertexId>& vertex_of);
 
-    // A site is the caller's index of a point; a plane of the region has the flag
-    // VoronoiDiagram::plane. A corner is at the same distance from its sites, and on its planes.
+    // The sites and planes that determine a corner: the corner has the same distance from its
+    // sites, and is on its planes. A site is the caller's index of a point; a plane of the region
+    // has the flag VoronoiDiagram::plane.
     struct Key {
         std::uint32_t of[4];
     };
-    // Makes the circumcentre of a tetrahedron known. This has to happen before the first find().
+    // Registers the circumcentre of a tetrahedron. All circumcentres are registered before the
+    // first find().
     void add(TetId t);
-    // The corner with this key, one of whose members is a site: a slot, or a number with the flag
-    // cut_corner. Throws std::bad_alloc.
+    // The corner with this key, which has at least one site. The result is the slot of a
+    // tetrahedron whose circumcentre the corner is, or a number with the flag cut_corner. Throws
+    // std::bad_alloc.
     std::uint32_t find(Key key);
 
     const SplitPoint& operator[](std::uint32_t corner) const noexcept {

@@ -88,8 +88,8 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
         });
 }
 
-// Finds the corners; corner i of a cycle is before edge i. Edges of a cell that no plane cuts may
-// have no length; then two consecutive corners are one.
+// Finds the corners of the faces. Corner i of a cycle is before edge i. If no plane cuts the cell,
+// edges may have length 0, and two consecutive corners are one.
 void CutFaces::find_corners(Cycles& cycles, FoundFaces& found) {
     for (std::size_t f = 0; f < cycles.faces.size(); ++f) {
         progress_.stop_request().poll_in_step(f);
@@ -110,7 +110,7 @@ void CutFaces::find_corners(Cycles& cycles, FoundFaces& found) {
             found.corners.resize(found.corners.size() - 1);
         const std::size_t size = found.corners.size() - begin;
         if (size < 3) {
-            // The face has no area.
+            // A face with fewer than three corners has no area.
             found.corners.resize(begin);
             continue;
         }

@@ -15,13 +15,13 @@ class CutFaces {
              const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut, CutCorners& corners,
              AtomicArray<TetId>& first, std::size_t points, StageProgress& progress);
 
-    // Sets the marks of the vertices whose cells may be cut.
+    // Marks the vertices whose cells may be cut.
     void mark();
     // Appends the faces between cells that may be cut, and those in planes of the region.
     void find(PerMember<FoundFaces>& found);
 
   private:
-    // A face as the cycle of the planes that contain its edges.
+    // A face, given by the cycle of the planes that contain its edges.
     struct Cycle {
         std::uint32_t sides[2];  // as in FoundFace
         std::uint32_t size;

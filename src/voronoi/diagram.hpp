@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Voronoi diagram as arrays: a snapshot that does not need the triangulation any more.
+// A Voronoi diagram as arrays. It is a snapshot, which does not refer to the triangulation.
 #pragma once
 
 #include <cstdint>
@@ -48,9 +48,9 @@ struct VoronoiDiagram {
     Buffer<std::uint32_t> face_corners;
     Buffer<std::uint32_t> face_sides;  // the two points of each face, or a point and a plane
     Buffer<double> areas, face_centroids;
-    // Of points in a periodic box, and otherwise empty: for each face three numbers, how often each
-    // of the caller's vectors has to be added to the second side to get its image at the face, the
-    // normal, and the distance of the two sides.
+    // For points in a periodic box, otherwise empty. For each face: how many times each of the
+    // caller's vectors has to be added to the second side to get its image at the face; the unit
+    // normal; and the distance between the first side and that image.
     Buffer<std::int64_t> face_shifts;
     Buffer<double> face_normals, face_distances;
     Buffer<std::uint64_t> cell_begin;  // where the faces of each cell begin, and the end
@@ -64,18 +64,19 @@ inline bool is_plane(std::uint32_t side) noexcept {
     return (side & VoronoiDiagram::plane) != 0;
 }
 
-// Sets the arrays of the diagram of no cells.
+// Sets the arrays of a diagram without cells.
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
 // Writes a vector divided by its length, whatever its magnitude.
 void write_unit_vector(const double (&way)[3], double* out);
-// The length of a vector, whose squares need not be in the range of doubles.
+// The length of a vector. The squares of its coordinates may be outside of the range of doubles.
 double length_in_range(const double (&way)[3]);
 // Writes, for each face of each cell, the distance of the cell's point from the other side.
 void write_distances(const VoronoiDiagram& diagram, double* out);
 // Writes the unit normal of each face, from its first side to the second one.
 void write_normals(const VoronoiDiagram& diagram, double* out);
-// Removes the faces whose area is less than `area`, or, for each of their cells, less than
-// `relative` times the total area of its bounded faces. Throws std::bad_alloc with nothing changed.
+// Removes the faces whose area is less than `area`. Removes also the faces whose area is, for each
+// of their cells, less than `relative` times the total area of the bounded faces of the cell.
+// Throws std::bad_alloc with nothing changed.
 void drop_small_faces(VoronoiDiagram& diagram, double area, double relative);
 
 }  // namespace mgdt

@@ -12,13 +12,14 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Products of three lengths in this range are in the range of doubles.
 constexpr double least_length = 0x1p-300, most_length = 0x1p300;
-// An error that does not matter, in units of the square of the distance between the two points.
+// An error of an area that does not matter, in units of the square of the distance between the two
+// points.
 constexpr double tiny_area = 1e-14;
-// The error that an area in doubles may have. It is below measure_error, so that the bounds of a
-// cell, to which all its faces add, are below it too.
+// The largest accepted relative error of an area in doubles. It is so much below measure_error
+// because the errors of all faces of a cell add up.
 constexpr double enough_in_doubles = 0.05 * measure_error;
-// The relative error that the normal and the result add, as both are doubles. The bounds of a sum
-// in doubles include it.
+// The relative error that the normal and the result have because they are rounded to doubles. The
+// error bounds of sums in doubles include it.
 template <class Real>
 constexpr double own_error = 0;
 template <>
@@ -39,9 +40,9 @@ FacePlane bisector(const double* a, const double* b) {
 
 namespace {
 
-// Whether the area's error is below `part` of it, and the centroid's below 0.9 measure_error times
-// the reach, or they do not matter beside the distance between the two points: an area of at most
-// tiny_area times the square of that distance may have any corner for its centroid.
+// Whether the error of the area is below `part` times the area, and that of the centroid below 0.9
+// measure_error times the reach. An area of at most tiny_area times the square of the distance
+// between the two points always passes, because any of its corners may then serve as its centroid.
 bool is_below(const FaceMeasure& m, double part, const FacePlane& plane) {
     if (!(m.area_error < infinite)) return false;
     const double tiny = 0.9 * tiny_area * plane.spacing * plane.spacing;
@@ -105,7 +106,7 @@ FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint
         result.centroid_error =
             4 * moved + 4 * diameter * (error / sum) + own_error<Real> * farthest;
     } else {
-        // The face is so small that any of its points serves.
+        // The face is so small that any of its points can be the centroid.
         for (int k = 0; k < 3; ++k) result.centroid.x[k] = nearest_double(first.x[k]);
         result.centroid_error = diameter;
     }
@@ -127,8 +128,8 @@ FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoi
 
 namespace {
 
-// Sets the result without the area's error, by numbers that bound their errors. Returns false if
-// these are too large.
+// Computes the result, except for the error of the area, with numbers that bound their errors.
+// Returns false if these errors are too large.
 template <class Numbers>
 bool measure_with(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
                   int scale, FaceMeasure& result) {
@@ -172,7 +173,7 @@ bool measure_with(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces
     const WideDouble squared = dot(normal, normal).wide(), half(0.5),
                      area = half * over_root(along.wide(), squared),
                      error = half * over_root(along.wide_error(), squared);
-    // An infinite error compares as less than nothing.
+    // An infinite error fails the comparison.
     const bool is_known = error < magnitude(area) * WideDouble(0.2 * measure_error);
     const WideDouble tiny =
         half_spaces.is_bisector(0) ? WideDouble(0.2 * tiny_area) * squared : WideDouble();

@@ -22,13 +22,13 @@ constexpr double normal_error = 8 * rounding_of<double>;
 FacePlane bisector(const double* a, const double* b);
 
 struct FaceMeasure {
-    // With the mesh's scale. An area may be infinite or 0 because it leaves the range of doubles;
-    // its error is at least the least normal double then.
+    // The area and its error carry the mesh's scale. If the area is infinite or 0 because it is
+    // outside of the range of doubles, its error is at least the least normal double.
     double area, area_error;
     Vector<double> centroid;  // relative to the point of the cell
     double centroid_error;
     double reach;  // the distance of the farthest corner from the point of the cell
-    // Without the mesh's scale.
+    // The results in the caller's scale.
     double unscaled_area;
     Vector<double> unscaled_centroid;
 };
@@ -37,19 +37,19 @@ struct FaceMeasure {
 // has the bounds.
 bool is_accurate(const FaceMeasure& measure, const FacePlane& plane);
 
-// Measures the face of the cell of point a with these corners, which are counter-clockwise about
-// the normal. The corrections of the corners carry the factor 1 / unit. The errors are infinite if
-// doubles are of no use. Does not set what is without the mesh's scale.
+// Measures a face of the cell of point a. Its corners are counter-clockwise about the normal, and
+// their corrections carry the factor 1 / unit. If doubles do not suffice, the errors are infinite.
+// The function does not set the results in the caller's scale.
 FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
                          std::size_t n, double unit);
 
-// Measures the face from the planes of its edges, as accurately as is_accurate() demands.
-// Half-space 0 has the plane of the face. Half-space i has the edge i - 1, from 1 to n, in the
-// order about the normal. The origin of the half-spaces is the point of the cell.
+// Measures a face from the planes of its edges, as accurately as is_accurate() demands. Half-space
+// 0 has the plane of the face, and half-spaces 1 to n have the n edges, in their order about the
+// normal. The origin of the half-spaces is the point of the cell.
 FaceMeasure measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
                             const FacePlane& plane, int scale);
 
-// Measures a face by measure_face(), and by measure_exactly() if the result is not accurate then.
+// Measures a face by measure_face(); if the result is not accurate, by measure_exactly().
 // add_half_spaces() adds the half-spaces of the face, and returns the number of its edges.
 template <class AddHalfSpaces>
 FaceMeasure measure_accurately(HalfSpaces& half_spaces, const double* a, const FacePlane& plane,

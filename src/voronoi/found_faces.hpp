@@ -8,11 +8,11 @@
 
 namespace mgdt {
 
-// Flags in a corner: the corner is not a circumcentre; the corner is the ray of a ghost. The slots
-// of tetrahedra are smaller.
+// Flags of a corner. cut_corner: the corner is no circumcentre, but at the region. ghost_corner:
+// the corner is the ray of a ghost. The slots of tetrahedra are smaller than both flags.
 inline constexpr std::uint32_t cut_corner = 1u << 30, ghost_corner = 1u << 31;
 
-// A face and the pyramid between it and the first of its points.
+// A face, and the pyramid whose base it is and whose apex is its first point.
 struct FoundFace {
     std::uint32_t sides[2];       // the caller's indices of the points; the second may be a plane
     double area;                  // without the mesh's scale
@@ -55,8 +55,8 @@ struct FoundFaces {
     }
 
     Buffer<FoundFace> faces;
-    // For circumcentres, Circumcenters::first_equal(); otherwise slots of ghosts, or the numbers of
-    // cut corners, with a flag.
+    // The corners of all faces. A circumcentre is given by Circumcenters::first_equal(), a ray by
+    // the slot of its ghost with the flag, and a cut corner by its number with the flag.
     Buffer<std::uint32_t> corners;
 };
 

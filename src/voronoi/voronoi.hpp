@@ -9,18 +9,18 @@
 
 namespace mgdt {
 
-// What a caller needs that goes on to translate the cells.
+// What a caller needs to translate cells: where the vertices and rays came from.
 struct VoronoiSources {
     explicit VoronoiSources(Allocator& allocator) : of_vertex(allocator), of_ray(allocator) {}
     Buffer<TetId> of_vertex;  // a tetrahedron whose circumcentre the vertex is
     Buffer<TetId> of_ray;     // a ghost whose facet the ray leaves
 };
 
-// Sets the arrays of the diagram but for `planes`. The cells are clipped to the region if it is
-// bounded. `points` is the number of points given; there is at least one tetrahedron. The cells of
-// `far` vertices with larger indices are left out; they are outside the region. With
-// `sources`, which requires a region without bounds, sets these too, and the centroids are
-// relative: that of a cell to its point, that of a face to its first side. Throws
+// Builds the diagram, except for `planes`. The cells are clipped to the region if it is bounded.
+// `points` is the number of points that were given; there is at least one tetrahedron. The last
+// `far` vertices, whose indices are at least `points`, are outside of the region and get no cells.
+// `sources` may be null. Otherwise the region is unbounded, the function sets them, and centroids
+// are relative: that of a cell to its point, and that of a face to its first side. Throws
 // MGDT_ERR_CANCELLED if there is a request to stop.
 void build_voronoi(const MeshView& view, const Region& region, std::size_t points, std::size_t far,
                    StageProgress& progress, VoronoiDiagram& diagram,

@@ -25,7 +25,7 @@ struct Ring {
 
 }  // namespace
 
-// What one thread needs.
+// The search of one thread.
 class WholeFaces::Finder {
   public:
     Finder(const WholeFaces& of, FoundFaces& found)
@@ -61,9 +61,9 @@ class WholeFaces::Finder {
     HalfSpaces half_spaces_;
 };
 
-// Each step around an edge waits for a tetrahedron from memory, so several rings proceed together.
-// A ring is complete if its first tetrahedron is in the first of its slots, so that each edge
-// counts once.
+// Each step around an edge waits for a tetrahedron from memory, so several rings are gathered at
+// the same time. To count each edge once, a ring is kept only if it was started from the least of
+// its slots.
 void WholeFaces::Finder::gather_rings() {
     Ring* active[rings_at_once];
     std::size_t left = count_;

@@ -18,7 +18,7 @@ class WholeFaces {
                AtomicArray<std::uint8_t>& is_cut, StageProgress& progress)
         : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut), progress_(progress) {}
 
-    // Each member of the team appends the faces that it finds to its own.
+    // Appends the faces. Each member of the team appends to its own list.
     void find(PerMember<FoundFaces>& found);
 
   private:
