@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The edges of the triangles and the segments of a boundary, sorted, so that those of one place are
-// together.
+// The edges of the triangles of a boundary, and its segments, sorted by their ends, so that equal
+// ones are adjacent.
 #pragma once
 
 #include "boundary/complex.hpp"
@@ -20,16 +20,17 @@ struct BoundaryEdge {
     }
 };
 
-// By their ends; a segment is behind the edges of triangles.
+// All edges and segments, sorted by their ends. A segment comes after the edges of triangles with
+// the same ends.
 Buffer<BoundaryEdge> sorted_edges(const Boundary& boundary, Allocator& allocator);
 
-// An edge that one of the caller's facets alone has: there the surface is open.
+// An edge that belongs to one of the caller's facets only: the surface is open there.
 struct OpenEdge {
     std::uint32_t ends[2];  // the caller's points
     std::uint32_t facet;
 };
 
-// In the order of the ends. Segments do not count.
+// The open edges, sorted by their ends. Segments do not count.
 Buffer<OpenEdge> open_edges(const Complex& complex, Allocator& allocator);
 
 }  // namespace mgdt

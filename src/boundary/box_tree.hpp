@@ -13,12 +13,12 @@ namespace mgdt {
 
 class BoxTree {
   public:
-    // The boxes have to stay as they are. O(n log n). A request to stop ends this call and
-    // for_each_pair().
+    // Makes the tree, in O(n log n). The boxes must not change while the tree is used. A request to
+    // stop ends this call and for_each_pair().
     BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes, const StopRequest& stop);
 
-    // Calls f(i, j, member) for each two boxes i < j that overlap. The members of the team call it
-    // at the same time. The time is usually O(n) and that of the calls. It may be more where large
+    // Calls f(i, j, member) for each pair of boxes i < j that overlap, on all members of the team
+    // at the same time. The time is usually O(n) plus that of the calls. It is longer if large
     // parts of the tree overlap although their boxes do not, as for crossing layers of wires.
     template <class F>
     void for_each_pair(Team& team, StageProgress& progress, F f) const;

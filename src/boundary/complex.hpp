@@ -27,7 +27,7 @@ struct Complex {
 // Whether no two points are equal.
 bool are_distinct(const Buffer<double>& points, Allocator& allocator);
 
-// Equal points become one. Facets are divided into triangles.
+// Makes the complex of an input: joins equal points, and divides facets into triangles.
 Complex make_complex(const DomainInput& input, Allocator& allocator);
 
 }  // namespace mgdt

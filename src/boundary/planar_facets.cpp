@@ -9,7 +9,7 @@
 namespace mgdt {
 namespace {
 
-// Whether two triangles with a common edge are in one plane, on different sides of the edge.
+// Whether two triangles with a common edge are in one plane and on different sides of the edge.
 bool continue_each_other(const Boundary& boundary, const BoundaryEdge& one,
                          const BoundaryEdge& other) {
     const auto point = [&](std::uint32_t v) {

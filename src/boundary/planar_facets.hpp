@@ -6,10 +6,11 @@
 
 namespace mgdt {
 
-// An edge of triangles is a segment unless it is in two triangles, which have the same marker, are
-// in one plane, exactly, and on different sides of the edge. Triangles that share an edge which is
-// no segment are parts of one facet. A facet is a polygon, which may have holes; all segments of
-// the boundary that meet it are on its border, or inside of it where the caller gave one there.
+// A planar facet is a maximal union of triangles that are connected by edges which are no segments.
+// An edge of triangles is a segment unless exactly two triangles have it, and these have the same
+// marker, are in one plane, exactly, and on different sides of the edge. So a planar facet is a
+// polygon, which may have holes. All segments of the boundary that meet it are on its border,
+// except for segments of the caller, which may be inside of it.
 struct PlanarFacets {
     explicit PlanarFacets(Allocator& allocator)
         : of_triangle(allocator), facets(allocator), segments(allocator) {}
@@ -24,8 +25,8 @@ struct PlanarFacets {
     Buffer<std::uint32_t> segments;     // 2 points for each, the lesser first; sorted
 };
 
-// `markers` has the marker of each triangle. The segments of the boundary remain segments, without
-// repeats.
+// Finds the planar facets. `markers` has the marker of each triangle. The segments of the boundary
+// are kept, without repeats.
 PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int32_t>& markers,
                                 Allocator& allocator);
 

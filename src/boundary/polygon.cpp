@@ -11,10 +11,10 @@
 namespace mgdt {
 namespace {
 
-// A polygon, projected to the plane of two coordinates, from which ears are cut off. The corners
-// are a ring. Those that may be ears are in a heap by the length of the edge that cuts them off;
-// one that is no ear waits for the corner that is in the way, until that is removed or has a new
-// neighbour.
+// Cuts ears off a polygon that is projected to the plane of two coordinates. The corners form a
+// ring. A heap has the corners that may be ears, by the length of the edge that would cut them off.
+// If another corner is in the way of an ear, the ear waits until that corner is removed or gets a
+// new neighbour.
 class EarCutter {
   public:
     EarCutter(const double* points, const std::uint32_t* corners, std::size_t size,
@@ -68,7 +68,8 @@ class EarCutter {
         std::uint32_t first_waiting;  // the list in waiting_ of those that wait for it
         bool is_left, is_doubtful;    // doubtful: it may be a spike
     };
-    // A corner that may be an ear, with its neighbours. If these have changed, it has no meaning.
+    // A corner that may be an ear, and its neighbours. If its neighbours have changed since, the
+    // candidate is ignored.
     struct Candidate {
         std::uint32_t before, corner, after;
     };
@@ -108,7 +109,8 @@ class EarCutter {
         const Corner& corner = ring_[c.corner];
         return corner.is_left && corner.before == c.before && corner.after == c.after;
     }
-    // The order of the heap, whose first candidate has the shortest edge or is the first of equals.
+    // The order of the heap: the first candidate has the shortest edge, and the lowest number among
+    // equals.
     auto is_later() const {
         return [this](const Candidate& a, const Candidate& b) {
             const int order =
@@ -120,7 +122,7 @@ class EarCutter {
         heap_.push_back({before(i), i, after(i)});
         std::push_heap(heap_.begin(), heap_.end(), is_later());
     }
-    // Makes the corners that wait for a corner candidates again.
+    // Makes all corners that wait for corner k candidates again.
     void release(std::uint32_t k) {
         std::uint32_t at = ring_[k].first_waiting;
         ring_[k].first_waiting = no_index;
@@ -143,9 +145,9 @@ class EarCutter {
         ring_[k].first_waiting = at;
     }
 
-    // Removes the first corner with an edge to it and the same edge back, outside of the polygon on
-    // both sides. Ears leave such corners where a hole touches the border. Returns false if there
-    // is none.
+    // Removes the first spike: a corner whose two edges coincide and are outside of the polygon on
+    // both sides. Cutting ears leaves such corners where a hole touches the border. Returns false
+    // if there is none.
     bool remove_spike() {
         while (!doubtful_.empty()) {
             const std::uint32_t i = doubtful_[0];
@@ -167,8 +169,9 @@ class EarCutter {
         return false;
     }
 
-    // Chooses the axes so that the polygon turns left: by the largest component of the normal of
-    // Newell's formula. The sums are of differences from the first corner, halved against overflow.
+    // Chooses the axes of the projection so that the polygon is counter-clockwise: by the largest
+    // component of the normal of Newell's formula. The sums use halved differences from the first
+    // corner, which do not overflow.
     void choose_axes() {
         double normal[3] = {0, 0, 0}, largest = 0;
         const double* const o = point(0);
@@ -196,14 +199,15 @@ class EarCutter {
         is_flat_ = normal[axis] == 0;
     }
 
-    // The sign of the area of a triangle in the plane: its orientation with a point above.
+    // The sign of the area of a triangle in the plane, computed as its orientation with a point
+    // above.
     int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         const Corner &p = ring_[a], &q = ring_[b], &r = ring_[c];
         const double pa[3] = {p.x, p.y, 0}, pb[3] = {q.x, q.y, 0}, pc[3] = {r.x, r.y, 0},
                      above[3] = {p.x, p.y, 1};
         return orientation(pa, pb, pc, above);
     }
-    // Whether two corners have one place in the plane.
+    // Whether two corners are at one place in the plane.
     bool is_same(std::uint32_t a, std::uint32_t b) const {
         return ring_[a].x == ring_[b].x && ring_[a].y == ring_[b].y;
     }

@@ -12,14 +12,15 @@ namespace mgdt {
 struct Simplex {
     int size;            // the number of corners, from 1 to 3
     const double* x[3];  // their coordinates
-    // Their numbers. Two corners have one number if and only if their coordinates are equal.
+    // The numbers of the corners. Two corners have the same number if and only if their coordinates
+    // are equal.
     std::uint32_t number[3];
 };
 
-// Whether all points that two simplices have in common belong to the simplex that their common
-// corners span. So a point in the middle of a facet does not pass, nor do facets that cross, touch
-// or overlap. A simplex and one of its faces pass, and so does a simplex with itself. The decision
-// is exact.
+// Whether all points that two simplices have in common belong to the simplex that is spanned by
+// their common corners. Facets that cross, touch or overlap fail this test, and so does a point in
+// the middle of a facet. A simplex and one of its faces pass, and so does a simplex with itself.
+// The decision is exact.
 bool meet_in_common_face(const Simplex& a, const Simplex& b);
 
 }  // namespace mgdt

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a boundary can bound: its triangles, segments and points meet in common faces only.
+// The validation of a boundary: whether its triangles, segments and points meet in common faces
+// only.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -7,8 +8,8 @@
 
 namespace mgdt {
 
-// Two simplices of a boundary that do not pass, by their numbers. A triangle whose corners are on
-// one line, and a segment without length, are paired with themselves.
+// The numbers of two simplices of a boundary that meet elsewhere than in a common face. A triangle
+// whose corners are on one line, and a segment without length, are paired with themselves.
 struct OffendingPair {
     std::uint32_t first, second;
 
@@ -17,9 +18,9 @@ struct OffendingPair {
     }
 };
 
-// All pairs that offend, sorted: flat triangles; triangles with the same corners; and each two
-// simplices, neither of them flat, that do not meet in a common face. Repeated segments and
-// segments that are edges of triangles pass. The time is that of BoxTree and of a test for each
+// All offending pairs, sorted: flat triangles; triangles with the same corners; and pairs of
+// simplices, neither of them flat, that do not meet in a common face. Repeated segments, and
+// segments that are edges of triangles, pass. The time is that of BoxTree plus one test for each
 // pair whose boxes overlap.
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
                                       StageProgress& progress);

@@ -26,7 +26,8 @@ void CavityFilling::replace(FacetWalk& facet, std::uint32_t number,
     join_sides();
 }
 
-// Collects the corners, and the faces that bound the cavity or are parts of facets inside of it.
+// Collects the corners of the cavity, the faces that bound it, and the faces inside of it that are
+// parts of facets.
 void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& crossed) {
     boundary_.clear();
     corners_.clear();
@@ -45,7 +46,8 @@ void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& cross
             if (!is_above && !is_below) continue;
             const bool is_inside = is_crossed(tet.n[i]);
             if (is_inside && tet.facets[i] == no_index) continue;
-            // (q, a, b, c) is positive beyond the face, so (a, b, c, q) is positive inside.
+            // (q, a, b, c) is positive for q beyond the face, so (a, b, c, q) is positive for q
+            // inside.
             boundary_.push_back(
                 {make_face(a, b, c, is_inside ? inside : tet.n[i], tet.facets[i]), is_above});
         }
@@ -86,10 +88,11 @@ void CavityFilling::open(const Face& face) {
         foreign_.push_back(i);
 }
 
-// The apex is the first point, in the order in which a sphere through the corners of the face that
-// grows inwards meets the points, whose tetrahedron is inside of the part that is not filled. A
-// tetrahedron of the Delaunay triangulation has the first of all points, and only a face that the
-// triangulation lacks can cross it.
+// Chooses the apex for a face. A sphere through the corners of the face that grows inwards meets
+// the points in some order; the apex is the first point in this order whose tetrahedron is inside
+// of the part that is not filled. If the Delaunay triangulation has a tetrahedron with this face,
+// its apex is the first of all points, and only a face that the triangulation lacks can cross this
+// tetrahedron.
 std::uint32_t CavityFilling::choose_apex(const Face& face) {
     if (has_delaunay_) {
         const std::uint32_t first = delaunay_.apex(face.v[0], face.v[1], face.v[2]);
@@ -142,7 +145,7 @@ void CavityFilling::add_tetrahedron(FacetWalk& facet, std::uint32_t number, cons
     close(4 * t + 3, face);
     const std::uint32_t v[4] = {face.v[0], face.v[1], face.v[2], apex};
     for (unsigned i = 0; i < 3; ++i) {
-        // The new face opposite corner i, seen from the other side.
+        // The face opposite corner i, oriented as seen from the other side.
         const unsigned char* const f = outer_face[i];
         const std::uint32_t a = v[f[0]], b = v[f[2]], c = v[f[1]], code = 4 * t + i;
         const std::uint32_t other = open_.find_opposite(a, b, c);

@@ -23,24 +23,26 @@ class CavityFilling {
           two_sided_(allocator),
           delaunay_(allocator) {}
 
-    // Replaces tetrahedra, sorted, that a facet crosses and that are connected by faces which it
-    // crosses: the constrained Delaunay triangulation of their vertices that has the facet. Marks
-    // the faces that are now parts of it.
+    // Replaces the tetrahedra of a cavity: tetrahedra that a facet crosses, and that are connected
+    // by faces which it crosses. The list is sorted. The new tetrahedra are the constrained
+    // Delaunay triangulation of the vertices of the cavity that contains the facet. Marks the new
+    // faces that are parts of the facet.
     void replace(FacetWalk& facet, std::uint32_t number, const Buffer<std::uint32_t>& crossed);
 
   private:
     using Face = OpenFaces::Face;
-    // What is behind a face that is a part of a facet and has the cavity on both sides.
+    // Stands for what is behind a face that is a part of a facet and has the cavity on both sides.
     static constexpr std::uint32_t inside = 0xFFFFFFFEu;
-    // With more vertices on one side, their Delaunay triangulation proposes tetrahedra.
+    // Up to this many vertices on one side, each of them is tried as an apex. With more, their
+    // Delaunay triangulation proposes tetrahedra.
     static constexpr std::size_t few_candidates = 48;
 
-    // A face of the cavity, with the side of the facet on which it is.
+    // A face of the boundary of the cavity, and the side of the facet on which it is.
     struct BoundaryFace {
         Face face;
         bool is_above;
     };
-    // A face that is a part of a facet, with the code in a new tetrahedron on one side.
+    // A face that is a part of a facet, and its code in the new tetrahedron on one side.
     struct TwoSidedFace {
         std::uint32_t v[3];  // the corners in ascending order
         std::uint32_t code, facet;

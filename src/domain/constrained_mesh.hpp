@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tetrahedra of a domain while facets are put into them, a copy of a Delaunay triangulation.
+// A copy of a Delaunay triangulation into which facets are inserted.
 #pragma once
 
 #include "core/triangulation.hpp"

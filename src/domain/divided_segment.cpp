@@ -10,8 +10,8 @@
 namespace mgdt {
 
 DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
-    // Coordinate i may have as many places after the binary point as a double of the magnitude of
-    // the larger end has.
+    // The number of binary places that coordinate i may have: that of a double of the magnitude of
+    // the larger end.
     int places[3], zeros[3];
     for (int i = 0; i < 3; ++i) {
         origin_[i] = static_cast<std::int64_t>(a[i]);
@@ -29,7 +29,7 @@ DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
     assert(room_ > 0 && "the ends are not on the grid");
     for (int i = 0; i < 3; ++i) {
         shift_[i] = step_[i] == 0 ? 0 : std::max(0, room_ - zeros[i]);
-        // Multiplications, since shifts of negative numbers are not defined in C++17.
+        // Multiplications are used because shifts of negative numbers are undefined in C++17.
         origin_[i] *= std::int64_t{1} << shift_[i];
         step_[i] = step_[i] / (std::int64_t{1} << (room_ - shift_[i]));
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Points of a segment that are doubles, exactly.
+// The points of a segment at which it may be divided: their coordinates are doubles, exactly.
 #pragma once
 
 #include <cstdint>
 
 namespace mgdt {
 
-// A segment between two points of a RoundingGrid, both in steps, and those of its points that
-// divide it in 2^room equal parts. These are doubles.
+// A segment between two points of a RoundingGrid, in steps, with the points that divide it into
+// 2^room equal parts. The coordinates of these points are doubles.
 class DividedSegment {
   public:
     static constexpr int most_room = 30;

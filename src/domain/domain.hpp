@@ -22,8 +22,8 @@ struct DomainSettings : CallSettings {
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
 };
 
-// Two of the caller's facets, segments or points that do not meet in a common face. A bad one is
-// paired with itself.
+// A pair of facets, segments or points of the caller that meet elsewhere than in a common corner or
+// edge. An item that is invalid by itself is paired with itself.
 struct Offence {
     enum Kind : std::uint32_t { facet, segment, point };
     struct Item {
@@ -68,8 +68,8 @@ class Domain {
 
     // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
     void validate();
-    // Validates and makes the mesh, of which nothing is left if the call throws:
-    // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, Error and std::bad_alloc.
+    // Validates the boundary, and makes the mesh. If the call throws, the mesh is empty:
+    // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, other Errors and std::bad_alloc.
     void build(DomainMesh& mesh);
     // Throws MGDT_ERR_CHECK_FAILED if the mesh is not one of the domain.
     void check(const DomainMesh& mesh, StageProgress& progress) const;
@@ -93,7 +93,7 @@ class Domain {
     [[noreturn]] void fail_open() const;
     void require_all_used(const DomainMesh& mesh) const;
     void round(const RoundingGrid& grid, Complex& complex, StageProgress& progress);
-    // A segment that could not be divided often enough, or not soon enough.
+    // A segment that could not be divided as finely as necessary, or not in the time given.
     struct StuckSegment {
         std::uint32_t ends[2];
         bool takes_long;

@@ -27,7 +27,7 @@ class Assembly {
     }
 
   private:
-    // A tetrahedron or a face, to be sorted: its corners in ascending order, and where it is from.
+    // A tetrahedron or a face for sorting: its corners in ascending order, and its number.
     template <int n>
     struct Record {
         std::uint32_t v[n];
@@ -153,7 +153,8 @@ class Assembly {
     }
 
     void write_edges() {
-        // The caller's segments, by their ends, to be found by those of a segment of the boundary.
+        // The caller's segments, sorted by their ends, in which the segments of the boundary are
+        // looked up.
         struct Source {
             std::uint32_t a, b, source;
             bool operator<(const Source& s) const {
@@ -191,7 +192,7 @@ class Assembly {
         }
     }
 
-    // Writes the points. Returns whether all tetrahedra are positive with them.
+    // Writes the coordinates of the points. Returns whether all tetrahedra are positive with them.
     bool write_points(bool rounded) {
         const std::size_t distinct = parts_.complex.point_of_number.size();
         out_.points.clear();
@@ -244,7 +245,7 @@ void DomainMesh::place_on_segment(const double* a, const double* b, double t, co
         for (const double c : {a[k], b[k]}) is_exact = is_exact && grid.unround(grid.round(c)) == c;
     for (int k = 0; k < 3; ++k) {
         x[k] = grid.unround(on_grid[k]);
-        // The difference of the largest doubles is no double.
+        // The difference of two large doubles may overflow.
         const double difference = b[k] - a[k];
         if (!is_exact && std::isfinite(difference)) x[k] = a[k] + t * difference;
     }

@@ -34,8 +34,9 @@ struct DomainMesh {
           unused_faces(allocator) {}
 
     std::size_t tetrahedron_count() const noexcept { return tetrahedra.size() / 4; }
-    // The point a + t (b - a) with the caller's coordinates a and b, where the point between the
-    // rounded ends is `on_grid`, in steps: that one if the ends are on the grid themselves.
+    // The place of a Steiner point in the caller's coordinates: a + t (b - a), where a and b are
+    // the caller's coordinates of the ends of its edge. `on_grid` is the point between the rounded
+    // ends, in steps; if the ends are on the grid themselves, it is the result.
     static void place_on_segment(const double* a, const double* b, double t, const double* on_grid,
                                  const RoundingGrid& grid, double* x) noexcept;
     // 1 if a place, in steps of the grid, is inside of a tetrahedron, 0 if it is on the boundary,
@@ -62,16 +63,16 @@ struct DomainMesh {
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
     bool is_rounded = false;              // whether the caller's points are rounded to the grid
     RoundingGrid grid{0.0, RoundingGrid::usual_bits};
-    // What the caller has set and the mesh has no part of, as the caller's numbers: points that
-    // neither are a corner of a tetrahedron nor equal to one, places of regions, holes; and faces
-    // without a tetrahedron, as numbers of faces.
+    // What the caller has set and the mesh does not use, by the caller's numbers: points that are
+    // no corner of a tetrahedron and are not equal to one, places of regions, and holes. Also the
+    // faces that are at no tetrahedron, by their numbers in the mesh.
     Buffer<std::uint32_t> unused_points, unused_regions, unused_holes, unused_faces;
-    // How the build has proceeded.
+    // Counts of the build, for statistics.
     std::size_t planar_facets = 0;
     FacetCounts facet_counts;
 };
 
-// What the stages of a build have found.
+// The results of the stages of a build.
 struct DomainParts {
     const DomainInput& input;
     const Complex& complex;
@@ -83,9 +84,9 @@ struct DomainParts {
     Regions& regions;
 };
 
-// Writes the tetrahedra inside of the domain, the faces and the segments, in the order of their
-// corners: a function of the points, facets and segments alone. Chooses the caller's coordinates if
-// all tetrahedra are positive with them, unless `rounds` is set.
+// Writes the tetrahedra inside of the domain, the faces and the edges, sorted by their corners. The
+// result depends on the points, facets and segments alone. Points have the caller's coordinates if
+// all tetrahedra are positive with them and `rounds` is not set; otherwise they are rounded.
 void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out);
 
 }  // namespace mgdt

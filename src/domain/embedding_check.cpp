@@ -11,15 +11,16 @@
 namespace mgdt {
 namespace {
 
-// The sheets of the faces that have a side without a tetrahedron. Faces are of one sheet if the
-// places near their free sides can be joined without passing a face with one free side.
+// Finds the connected sheets of boundary faces: faces that have no tetrahedron on at least one
+// side, which is their free side. Two faces are of one sheet if one can go from the free side of
+// one to that of the other without passing through a face with one free side.
 class Sheets {
   public:
     Sheets(const DomainMesh& mesh, Allocator& allocator)
         : mesh_(mesh), edges_(allocator), sets_(allocator, mesh.face_facets.size()) {
         for (std::uint32_t f = 0; f < mesh.face_facets.size(); ++f) {
             if (free_sides(f) == 0) continue;
-            // The face, turned so that it appears counter-clockwise from a free side.
+            // The face, oriented so that it is counter-clockwise seen from a free side.
             std::uint32_t v[3];
             std::copy_n(mesh.faces.begin() + 3 * std::size_t{f}, 3, v);
             if (mesh.face_tetrahedra[2 * std::size_t{f}] != no_index) std::swap(v[1], v[2]);
@@ -58,9 +59,9 @@ class Sheets {
         const std::uint32_t* const sides = mesh_.face_tetrahedra.begin() + 2 * std::size_t{face};
         return (sides[0] == no_index ? 1 : 0) + (sides[1] == no_index ? 1 : 0);
     }
-    // Joins the faces at an edge: those that bound nothing, if there are no others, and two that
-    // pass the edge in opposite directions, so that their free sides face each other. What is not
-    // joined is looked at by itself.
+    // Joins faces at an edge: all of them if none has a tetrahedron; and two faces with one free
+    // side each, if they pass the edge in opposite directions, so that their free sides face each
+    // other. Faces that are not joined are tested separately, which costs only time.
     void join(std::size_t begin, std::size_t end) {
         std::size_t bounding = 0;
         for (std::size_t i = begin; i < end; ++i)
@@ -122,7 +123,7 @@ class EmbeddingCheck {
         return s;
     }
 
-    // What no tetrahedron may meet.
+    // Collects the simplices that no tetrahedron may meet.
     void collect_outside(Buffer<Simplex>& outside) {
         Sheets(mesh_, allocator_).for_each([&](std::uint32_t f) {
             outside.push_back(simplex(mesh_.faces.begin() + 3 * std::size_t{f}, 3));
@@ -148,15 +149,16 @@ class EmbeddingCheck {
             if (is_edge[segments.find(mesh_.edges[s], mesh_.edges[s + 1])] == 0)
                 outside.push_back(simplex(mesh_.edges.begin() + s, 2));
         for (std::uint32_t p = 0; p < is_corner.size(); ++p) {
-            // Of equal points, the first one stands for all.
+            // Equal points are tested once.
             const std::uint32_t origin = mesh_.point_origins[p];
             const bool is_first = origin == p || origin == no_index;
             if (is_corner[p] == 0 && is_first) outside.push_back(simplex(&p, 1));
         }
     }
 
-    // Whether the plane of a face of the tetrahedron, or of a triangle, has the two on its sides
-    // and only common corners in it. Most pairs are apart in this way.
+    // Whether a plane separates the tetrahedron and a simplex: the plane of a face of the
+    // tetrahedron, or of the simplex if it is a triangle. Only common corners are in the plane.
+    // Most pairs are separated in this way.
     bool is_apart(const std::uint32_t* v, const Simplex& s) const {
         const auto is_common = [&](std::uint32_t corner) {
             return std::find(v, v + 4, corner) != v + 4;

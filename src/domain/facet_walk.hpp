@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a facet meets in a mesh: faces that are parts of it, and tetrahedra that it crosses.
+// A walk through a mesh along a facet. It finds the faces that are parts of the facet, and the
+// tetrahedra that the facet crosses.
 #pragma once
 
 #include "domain/constrained_mesh.hpp"
@@ -9,7 +10,7 @@ namespace mgdt {
 
 class FacetWalk {
   public:
-    // `subsegments` has all pairs of ends of subsegments.
+    // `subsegments` contains the ends of all subsegments.
     FacetWalk(ConstrainedMesh& mesh, const PairTable& subsegments, Allocator& allocator)
         : mesh_(mesh),
           subsegments_(subsegments),
@@ -19,15 +20,16 @@ class FacetWalk {
           stamps_(allocator),
           face_stamps_(allocator) {}
 
-    // Finds what the facet meets. It is in the plane of `corner`, three points, and begins at the
-    // subsegment from a to b, on the side on which corner[2] is.
+    // Walks along a facet. The facet is in the plane of the three points `corner`. The walk begins
+    // at the subsegment from a to b, on the side of corner[2].
     void run(const std::uint32_t (&corner)[3], std::uint32_t a, std::uint32_t b);
 
     // Faces of the mesh that are parts of the facet, each on one of its sides.
     const Buffer<std::uint32_t>& faces() const noexcept { return faces_; }
     // The tetrahedra whose insides the facet meets.
     const Buffer<std::uint32_t>& crossed() const noexcept { return crossed_; }
-    // On which side of the plane a point is: the orientation of the corners and the point.
+    // The side of the plane on which a point is: the orientation of the three corners and the
+    // point.
     int side(std::uint32_t v);
     // Whether a face of a tetrahedron has corners strictly on both sides of the plane.
     bool crosses(const ConstrainedMesh::Tetrahedron& t, unsigned face);

@@ -11,7 +11,7 @@
 namespace mgdt {
 namespace {
 
-// The corners of a face in ascending order, and which face it is.
+// The corners of a face in ascending order, and the number of the face.
 struct Triple {
     std::uint32_t v[3];
     std::uint32_t face;
@@ -76,7 +76,7 @@ class MeshCheck {
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld has a wrong end", number(i / 2));
     }
 
-    // Points are on the grid, and each Steiner point divides its edge.
+    // Checks that points are on the grid, and that each Steiner point divides its edge.
     void check_points() const {
         const std::size_t given = mesh_.points.size() / 3 - mesh_.steiner_parameters.size();
         for (std::size_t i = 0; i < 3 * given; ++i)
@@ -106,7 +106,8 @@ class MeshCheck {
         }
     }
 
-    // Whether a Steiner point is returned where it is on the grid, or between the caller's points.
+    // Whether the returned place of a Steiner point is right: on the grid if points are rounded,
+    // otherwise between the caller's points.
     bool is_placed(std::uint32_t p, const std::uint32_t* ends, double t) const {
         double x[3];
         if (mesh_.is_rounded)
@@ -133,7 +134,8 @@ class MeshCheck {
         }
     }
 
-    // Each face is a face of the tetrahedra on its sides, and they are on the right sides.
+    // Checks that each face is a face of the two tetrahedra that are listed for it, and that these
+    // are on the right sides.
     void check_faces() {
         const std::size_t points = mesh_.points.size() / 3;
         for (std::uint32_t f = 0; f < mesh_.face_facets.size(); ++f) {
@@ -170,7 +172,7 @@ class MeshCheck {
         return side == 0 ? sign > 0 : sign < 0;
     }
 
-    // The listed face with these corners, or `no_index`.
+    // The number of the listed face with these corners, or no_index.
     std::uint32_t listed(const Triple& face) const {
         const Triple* const found = std::lower_bound(faces_.begin(), faces_.end(), face);
         return found == faces_.end() || face < *found ? no_index : found->face;

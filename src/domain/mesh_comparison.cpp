@@ -11,7 +11,8 @@
 namespace mgdt {
 namespace {
 
-// An edge of the boundary of a facet, with the direction in which the boundary runs: 1 from a to b.
+// An edge of the boundary of a facet. `direction` is 1 if the boundary runs from a to b, and -1 if
+// it runs from b to a.
 struct DirectedEdge {
     std::uint32_t facet, a, b;
     int direction;
@@ -59,10 +60,11 @@ class MeshComparison {
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};
     }
-    // The point that is returned for a distinct point of the complex.
+    // The point of the mesh for a distinct point of the complex.
     std::uint32_t index(std::uint32_t v) const { return complex_.point_of_number[v]; }
 
-    // The caller's points come first, where they were, and each is the origin of its equals.
+    // Checks that the caller's points come first and are unchanged, and that equal points have the
+    // first of them as their origin.
     void check_points() const {
         const std::size_t given = input_.point_count();
         if (mesh_.points.size() != input_.points.size() + 3 * mesh_.steiner_parameters.size())
@@ -81,7 +83,7 @@ class MeshComparison {
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
     }
 
-    // Facets and segments of faces and edges exist, and have their markers.
+    // Checks that the facets and segments that faces and edges name exist, and that markers agree.
     void check_sources() const {
         for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
             if (mesh_.face_facets[f] >= input_.facet_count() ||
@@ -97,7 +99,7 @@ class MeshComparison {
         }
     }
 
-    // Whether all points are in one plane. There are no tetrahedra then, and no faces.
+    // Whether all points are in one plane and the mesh is empty.
     bool is_flat() const {
         AffineBasis basis;
         for (std::size_t i = 0; i < complex_.boundary.points.size(); i += 3)
@@ -106,9 +108,10 @@ class MeshComparison {
                mesh_.edges.empty();
     }
 
-    // The triangles of each facet and its faces are in one plane and have the same boundary. A sum
-    // of triangles in a plane is determined by its boundary, and no face counts negatively. So the
-    // faces cover the facet, once.
+    // Checks that the faces of each facet cover it exactly once. The triangles and the faces of a
+    // facet are in one plane. A sum of oriented triangles in a plane is determined by its boundary.
+    // So it suffices that triangles and faces have the same boundary, because no face counts
+    // negatively.
     void check_facets() {
         Buffer<DirectedEdge> edges(allocator_);
         const Buffer<std::uint32_t>& triangles = complex_.boundary.triangles;
@@ -146,8 +149,8 @@ class MeshComparison {
         }
     }
 
-    // The sign of a triangle in the plane of a planar facet relative to the facet's first triangle,
-    // or 0 if it is in another plane.
+    // The orientation of a triangle in the plane of a planar facet, relative to the first triangle
+    // of the facet; 0 if the triangle is in another plane.
     int direction(std::uint32_t facet, const std::uint32_t (&v)[3]) const {
         const std::uint32_t* const corner =
             complex_.boundary.triangles.begin() + 3 * std::size_t{facets_.facets[facet].triangle};
@@ -155,7 +158,7 @@ class MeshComparison {
                             *const c = exact(index(corner[2]));
         for (const std::uint32_t p : v)
             if (orientation(a, b, c, exact(p)) != 0) return 0;
-        // A point beside the plane: the corners and the facet's three have the same sign with it.
+        // Orientations are compared by a point beside the plane.
         double beside[3];
         for (int axis = 0; axis < 3; ++axis) {
             std::copy_n(a, 3, beside);
@@ -166,8 +169,8 @@ class MeshComparison {
         return 0;
     }
 
-    // The first planar facet in the plane of a planar facet that is of the same facet of the
-    // caller's. The caller's segments may divide a facet, and its parts are checked together.
+    // Several planar facets can come from one facet of the caller, since segments may divide it;
+    // they are checked together. Returns the first of them that is in the plane of this one.
     std::uint32_t representative(std::uint32_t facet, const Buffer<std::uint32_t>& planar) const {
         const std::uint32_t triangle = facets_.facets[facet].triangle;
         const std::uint32_t* const v =
@@ -178,8 +181,8 @@ class MeshComparison {
         return facet;
     }
 
-    // The planar facet with the caller's facet of a face, in the plane of the face; `no_index` if
-    // there is none.
+    // The first planar facet that comes from the caller's facet of a face and is in the plane of
+    // the face; no_index if there is none.
     std::uint32_t facet_of_face(std::uint32_t face, const Buffer<std::uint32_t>& planar) const {
         const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{face};
         const std::uint32_t corner[3] = {v[0], v[1], v[2]};
@@ -238,7 +241,8 @@ class MeshComparison {
         return {nullptr, 0, false};
     }
 
-    // A part of a segment, and the caller's segment that it is a part of, or `no_index`.
+    // A part of a segment, and the number of the caller's segment, or no_index if the segment is an
+    // edge of a facet.
     struct Part {
         std::uint32_t a, b, source;
         friend bool operator<(const Part& p, const Part& q) {
@@ -249,7 +253,8 @@ class MeshComparison {
         return {std::min(a, b), std::max(a, b), source};
     }
 
-    // The parts of the segments are listed, and nothing else; every Steiner point is on a segment.
+    // Checks that exactly the parts of the segments are listed, and that every Steiner point is on
+    // a segment.
     void check_segments() {
         Buffer<Part> given(allocator_), expected(allocator_), found(allocator_);
         const Buffer<std::uint32_t>& ends = complex_.boundary.segments;
@@ -290,7 +295,8 @@ class MeshComparison {
                      number(found[i].a), number(found[i].b));
     }
 
-    // No hole is in a tetrahedron, and regions have the markers of the places in them.
+    // Checks that no hole is in a tetrahedron, and that each region has the marker of the last
+    // place in it.
     void check_places() const {
         Buffer<std::int32_t> markers(allocator_);
         markers.resize(mesh_.region_markers.size(), 0);

@@ -58,9 +58,9 @@ bool MissingSegment::find(std::uint32_t point_a, std::uint32_t point_b, TetId at
     return true;
 }
 
-// Whether the segment meets a face, its boundary included, in a point other than its ends. Faces in
-// whose planes the segment runs do not count, since it meets edges of such a face, which are edges
-// of other faces.
+// Whether the segment meets a face or its boundary in a point other than the ends of the segment.
+// If the segment runs in the plane of the face, the answer is no: the segment then meets edges of
+// this face that are edges of other faces as well.
 bool MissingSegment::meets(const Tetrahedron& t, unsigned face, const double* a,
                            const double* b) const {
     const unsigned char* const f = outer_face[face];

@@ -17,8 +17,8 @@ class MissingSegment {
     // is. The time grows with the star of a; the result does not depend on the order of a and b.
     // The search starts at `at_a` if that is a tetrahedron of a, and locates one otherwise.
     bool find(std::uint32_t a, std::uint32_t b, TetId at_a = no_tetrahedron);
-    // Of the vertices of the tetrahedra that the missing segment meets, the point that sees the
-    // segment at the largest angle, or the least such point.
+    // The point that sees the missing segment at the largest angle, among the vertices of the
+    // tetrahedra that the segment meets. If several do, the one with the least number.
     std::uint32_t reference() const noexcept { return reference_; }
 
   private:

@@ -11,8 +11,8 @@ namespace mgdt {
 
 class OpenFaces {
   public:
-    // A point inside of the part that is not filled and the corners are positively oriented:
-    // (v[0], v[1], v[2], point). The least corner comes first.
+    // A face, oriented so that (v[0], v[1], v[2], p) is positive for a point p inside of the part
+    // that is not filled. The least corner comes first.
     struct Face {
         std::uint32_t v[3];
         std::uint32_t behind;  // the code of the face on the other side, or what the caller chooses

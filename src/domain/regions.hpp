@@ -24,9 +24,10 @@ struct Regions {
     Buffer<std::uint32_t> unused_regions, unused_holes;
 };
 
-// Two tetrahedra with a common face are in one region unless the face is a part of a facet. What is
-// connected to the outside of the hull or to a hole is outside. The coordinates of the mesh are
-// steps of the grid. The marker of a region is that of the last place inside of it, or 0.
+// Finds the regions. Two tetrahedra with a common face are in one region unless the face is a part
+// of a facet. Tetrahedra that are connected to the outside of the hull or to a hole are in no
+// region. The coordinates of the mesh are in steps of the grid. The marker of a region is that of
+// the last of the caller's places inside of it, or 0.
 Regions find_regions(const ConstrainedMesh& mesh, const RoundingGrid& grid,
                      const Buffer<DomainInput::Place>& regions,
                      const Buffer<DomainInput::Place>& holes, Allocator& allocator);

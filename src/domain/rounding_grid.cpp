@@ -18,13 +18,13 @@ double largest_magnitude(const Buffer<double>& coordinates) noexcept {
 RoundingGrid::RoundingGrid(const Buffer<double>& coordinates, int bits) noexcept
     : RoundingGrid(largest_magnitude(coordinates), bits) {}
 
-// The least multiples are not below the least double, 2^-1074.
+// Multiples of the step are at least the least double, 2^-1074.
 RoundingGrid::RoundingGrid(double largest, int bits) noexcept
     : bits_(bits),
       exponent_(largest > 0 ? std::max(std::ilogb(largest) + 1 - bits, -1074 + places) : 0) {}
 
 double RoundingGrid::round(double x) const noexcept {
-    // 2^bits steps may be 2^1024, which is no double.
+    // The largest multiple is below 2^bits, because 2^bits steps may be 2^1024, which is no double.
     const double most = std::ldexp(1, bits_) - 1;
     const double rounded = std::nearbyint(scaled(x));
     return std::min(std::max(rounded, -most), most) + 0.0;

@@ -6,12 +6,14 @@
 
 namespace mgdt {
 
-// The points of a domain are multiples of the grid's step, a power of two, at most 2^bits steps
-// from the origin. So a segment has many points whose coordinates are doubles, exactly: the more,
-// the coarser the grid (docs/theory.md, "Points on segments").
+// The coordinates of the points of a domain are multiples of the grid's step, a power of two, and
+// at most 2^bits steps. Then many points of each segment have coordinates that are doubles,
+// exactly. The coarser the grid, the more such points there are (docs/theory.md, "Points on
+// segments").
 class RoundingGrid {
   public:
-    // A grid that is fine enough for nearly all surfaces and has enough points on segments.
+    // The bits of the grid that is tried first. It is fine enough for nearly all surfaces, and has
+    // enough points on segments.
     static constexpr int usual_bits = 36;
     static constexpr int least_bits = 24, most_bits = 44;
     // Points of segments are multiples of 2^-places steps, which are doubles as well.
@@ -24,12 +26,12 @@ class RoundingGrid {
 
     int bits() const noexcept { return bits_; }
 
-    // The multiple of the step that is nearest to x, over the step: an integer.
+    // The number of steps, an integer, whose product with the step is nearest to x.
     double round(double x) const noexcept;
     // x over the step.
     double scaled(double x) const noexcept;
-    // Writes a place in steps. Returns false if it is so far from the grid that it is in no
-    // tetrahedron of a mesh; the rest of the computation could overflow.
+    // Converts a place to steps. Returns false if the place is so far from the grid that no
+    // tetrahedron can contain it; further computations with it might overflow.
     bool scale_place(const double (&x)[3], double (&result)[3]) const noexcept;
     // The product of the step and a coordinate in steps.
     double unround(double x) const noexcept;

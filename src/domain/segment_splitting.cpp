@@ -70,14 +70,14 @@ class Splitting {
     }
 
   private:
-    // The work of a round beside that at the stars of its points.
+    // The work of a round, besides the tetrahedra at its new points.
     static constexpr std::uint64_t work_of_round = 64;
 
-    // Where to divide a subsegment that is no edge.
+    // A missing subsegment, and where it is divided.
     struct Split {
         std::uint32_t part, reference, k;
     };
-    // How many splits of a round have a point as an end or as their reference point.
+    // The numbers of splits of a round that have a point as an end or as their reference point.
     struct Touches {
         std::uint32_t round = 0, wanted = 0, kept = 0;
     };
@@ -91,7 +91,7 @@ class Splitting {
                 point(segments_[2 * std::size_t{segment} + 1])};
     }
 
-    // Fills splits_ with the suspects that are missing. Returns false if none is.
+    // Fills splits_ with those suspects that are missing. Returns false if none is.
     bool find_splits() {
         splits_.clear();
         MissingSegment search(triangulation_, allocator_);
@@ -100,7 +100,8 @@ class Splitting {
             stop_.poll_in_step(steps++);
             is_suspect_[part] = 0;
             const Subsegment& s = parts_[part];
-            // From the end with fewer segments, whose star is smaller. The result is the same.
+            // The search starts from the end with fewer segments, because its star is smaller. The
+            // result is the same from both ends.
             const unsigned from = degree_[s.ends[1]] < degree_[s.ends[0]] ? 1 : 0;
             const std::uint32_t a = s.ends[from], b = s.ends[1 - from];
             if (!search.find(a, b, tetrahedron_at_[a])) continue;
@@ -119,10 +120,10 @@ class Splitting {
                            divided(s.segment).parts(), avoids_short_parts_);
     }
 
-    // Keeps an independent set of splits_: each point may be an end or the reference point of one
-    // of them, since the place of a second would be chosen better after the first. Of many at one
-    // point, a sixteenth is kept, so that the number of rounds is logarithmic there. The others
-    // wait for a later round.
+    // Keeps an independent set of splits_: each point is an end or the reference point of at most
+    // one of them, because a second split at a point is chosen better after the first. Where many
+    // splits are at one point, a sixteenth of them is kept, so that the number of rounds is
+    // logarithmic there. The others wait for a later round.
     void choose_splits(std::uint32_t round) {
         constexpr std::uint32_t many = 16;
         suspects_.clear();
@@ -163,7 +164,7 @@ class Splitting {
             tetrahedron_at_.push_back(no_tetrahedron);
             const Subsegment second = {{middle, s.ends[1]}, s.segment, split.k, s.k1};
             const auto number = static_cast<std::uint32_t>(parts_.size());
-            // The second part takes the place of the whole one at their common end.
+            // The second part replaces the whole one at their common end.
             const std::uint32_t at = s.k1 == divided(s.segment).parts()
                                          ? last_of_segment_[s.segment]
                                          : first_part_[s.ends[1]];
@@ -181,17 +182,19 @@ class Splitting {
         }
         const double* const first = point(first_new_);
         const double* const axis[3] = {first, first + 1, first + 2};
-        // The number of rounds is not known, so each takes a part of what is left.
+        // The number of rounds is not known in advance, so each round takes a fixed share of the
+        // remaining progress.
         reached_ += (end_of_stage - reached_) / 16;
         progress_.enter(reached_, reached_);
         progress_.watch(triangulation_.settings(), 0, 1,
                         [&] { triangulation_.insert(splits_.size(), axis, 3); });
     }
 
-    // Adds the subsegments that may have become missing to those that wait or are new. If an
-    // insertion destroys an edge, both of its ends are on the boundary of the cavity and become
-    // neighbours of the new point. If a later insertion destroys such a connection, they are
-    // neighbours of its point. So the ends are neighbours of a new point in the end.
+    // Adds the subsegments that may have become missing to the suspects. If an insertion destroys
+    // an edge, both of its ends are on the boundary of the cavity, and become neighbours of the new
+    // point. If a later insertion of the round destroys one of these edges, its ends are neighbours
+    // of the later point. So it suffices to look at the neighbours of the new points after the
+    // round.
     void find_suspects(std::uint32_t round) {
         const Mesh& mesh = triangulation_.mesh();
         const Locator where = {mesh, triangulation_.calls(), nullptr};
@@ -229,7 +232,7 @@ class Splitting {
         round_near_[v] = round;
         near_.push_back(v);
     }
-    // Lists the parts at each point: at first, its segments.
+    // Lists the parts at each point. In the beginning, these are its segments.
     void list_parts() {
         first_part_.resize(degree_.size() + 1, 0u);
         for (std::size_t v = 0; v < degree_.size(); ++v)

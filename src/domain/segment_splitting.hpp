@@ -27,8 +27,8 @@ struct DividedSegments {
 
     Buffer<Subsegment> parts;
     Buffer<SteinerPoint> steiner;
-    // A segment that has no point left at which it can be divided, or one that is missing when the
-    // work is used up; then the rest is not complete.
+    // A segment that has no point left at which it can be divided, or a missing one when the
+    // allowed work is used up; no_index if there is none. If there is one, `parts` is not complete.
     std::uint32_t stuck = no_index;
     bool takes_long = false;  // whether the latter was the reason
 };

@@ -35,7 +35,7 @@ Buffer<std::uint8_t> find_acute_ends(const Buffer<double>& points,
     for (std::size_t i = 0; i < n;) {
         std::size_t end = i + 1;
         while (end < n && segments[ends[end]] == segments[ends[i]]) ++end;
-        // Of 13 directions, two are less than 60 degrees apart.
+        // Among 13 directions, two form an angle of less than 60 degrees.
         constexpr std::size_t kissing_number = 12;
         bool is_acute = end - i > kissing_number;
         for (std::size_t k = i; k < end && !is_acute; ++k)
@@ -64,8 +64,8 @@ std::uint32_t split_place(const double* a, const double* b, bool is_acute_at_a, 
         if (!(t > begin && t < end)) {
             t = begin + (end - begin) / 2;
         } else if (avoids_short_parts) {
-            // Away from the other end, if that is nearer than the reference point: rule 3 of Si and
-            // Gaertner.
+            // If the other end is nearer to the new point than the reference point is, the new
+            // point is moved away from it: rule 3 of Si and Gaertner.
             const double x[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
                                  a[2] + t * (b[2] - a[2])};
             const double away = distance(x, reference) / length;

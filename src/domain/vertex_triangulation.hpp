@@ -16,9 +16,11 @@ class VertexTriangulation {
           xyz_(allocator),
           star_(allocator) {}
 
-    // Triangulates the vertices, whose numbers ascend and which have to stay.
+    // Triangulates the vertices. Their numbers ascend, and the array has to exist as long as the
+    // result is used.
     void set(const ConstrainedMesh& mesh, const Buffer<std::uint32_t>& vertices);
-    // The corner d of the tetrahedron abcd, if a positive one has this face; otherwise no_index.
+    // The corner d of the positive tetrahedron abcd that has the face abc; no_index if there is
+    // none.
     std::uint32_t apex(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void clear() noexcept;
 
