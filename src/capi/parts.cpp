@@ -157,9 +157,8 @@ void run_build(PartsObject& p, const Parts::Visit* visit) {
     }
 }
 
-constexpr Switch<CallSettings> read_progress = {MGDT_PARTS_READ_PROGRESS,
-                                                &CallSettings::watches_reads};
-const Switches<CallSettings> switches = {read_progress};
+const Switches<CallSettings> parts_switches = {
+    {MGDT_PARTS_READ_PROGRESS, &CallSettings::watches_reads}};
 
 }  // namespace
 
@@ -209,11 +208,11 @@ extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
 }
 
 extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_t value) {
-    return set_option(p, option, value, switches);
+    return set_option(p, option, value, parts_switches);
 }
 
 extern "C" mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value) {
-    return get_option(p, option, value, switches);
+    return get_option(p, option, value, parts_switches);
 }
 
 extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user) {

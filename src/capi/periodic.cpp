@@ -46,7 +46,7 @@ void require_each_once(const Buffer<std::uint32_t>& points, std::int64_t base,
     const std::uint32_t* const twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
         fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is to be moved twice",
-             static_cast<long long>(*twice + base));
+             static_cast<long long>(*twice) + base);
 }
 
 template <class Int>
