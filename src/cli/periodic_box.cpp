@@ -90,7 +90,7 @@ Periodic make_periodic(const PeriodicOptions& options, const TriangulationOption
         box.set_option(PeriodicOption::threads, settings.threads);
         box.set_option(PeriodicOption::memory_limit,
                        static_cast<std::int64_t>(settings.memory_limit));
-        box.insert(Points(mesh.points.data(), mesh.point_count()));
+        box.insert(mgdt::Points(mesh.points.data(), mesh.point_count()));
         box.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
         box.build();
         box.clear_progress();

@@ -132,15 +132,15 @@ std::vector<double> interpolate(const Triangulation& t, Method method, Outside o
     const std::size_t n = places.size() / 3;
     std::vector<double> out;
     out.reserve(n * n_fields);
-    // A call cannot be cancelled, so places are given in blocks. Blocks are large, because some
-    // methods compute something for each point before the first place.
+    // Places are given in blocks, between which the program looks for signals. Blocks are large,
+    // because some methods compute something for each point before the first place.
     const std::size_t most =
         std::max<std::size_t>(65536, static_cast<std::size_t>(t.point_count()));
     Progress progress("interpolating", quiet);
     for (std::size_t begin = 0; begin < n; begin += most) {
         check_interrupt();
         progress.update(static_cast<double>(begin) / static_cast<double>(n));
-        const Points some(places.data() + 3 * begin, std::min(most, n - begin));
+        const mgdt::Points some(places.data() + 3 * begin, std::min(most, n - begin));
         const std::vector<double> found = t.interpolate(method, outside, values, some, n_fields);
         out.insert(out.end(), found.begin(), found.end());
     }
