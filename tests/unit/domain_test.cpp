@@ -86,7 +86,6 @@ TEST(Domain, MeshesAllTestSurfaces) {
 
 bool is_valid(const DomainInput& input) {
     Allocator allocator;
-    Atomic<bool> flag{false};
     Team team;
     const Complex complex = make_complex(input, allocator);
     return complex.bad_facets.empty() &&

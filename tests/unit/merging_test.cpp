@@ -19,7 +19,6 @@ struct Merged : Periodic {
         settings().merge_distance = distance;
         insert(points.size() / 3, points.data());
         build();
-        StopFlag cancelled;
         check_periodic(*this, Unwatched());
     }
 };

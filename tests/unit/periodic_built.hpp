@@ -38,7 +38,6 @@ struct Built : Periodic {
         set_vectors(static_cast<unsigned>(vectors.size() / 3), vectors.data());
         insert(points.size() / 3, points.data());
         build();
-        StopFlag cancelled;
         check_periodic(*this, Unwatched());
     }
     std::array<double, 3> place(std::uint32_t point, const std::array<std::int64_t, 3>& of) const {

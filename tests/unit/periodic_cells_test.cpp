@@ -309,7 +309,6 @@ TEST(Periodic, StepsMayUnitePoints) {
             std::copy_n(points.begin() + 3 * (i % 5), 3, points.begin() + 15);
             built.move(1, &moving, points.data() + 15);
             built.build();
-            StopFlag cancelled;
             check_periodic(built, Unwatched());
             const Built fresh(box, points);
             expect_same_tetrahedra(built, fresh);

@@ -47,7 +47,6 @@ struct Built : Periodic {
     std::string complaint(const Records& records) const {
         Buffer<Record> all(allocator());
         for (const Record& record : records) all.push_back(record);
-        StopFlag cancelled;
         try {
             check_periodic(*this, all, Unwatched());
         } catch (const Error& e) {

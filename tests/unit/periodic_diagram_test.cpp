@@ -22,7 +22,6 @@ using Place = std::array<double, 3>;
 
 struct Diagram : VoronoiDiagram {
     explicit Diagram(const Built& built) : VoronoiDiagram(built.allocator()) {
-        StopFlag cancelled;
         build_periodic_diagram(built, Unwatched(), *this);
     }
 };

@@ -59,7 +59,6 @@ struct Built : Periodic {
     Built(const Vectors& vectors, const std::vector<double>& points) : Built(vectors) {
         insert(points.size() / 3, points.data());
         build();
-        StopFlag cancelled;
         check_periodic(*this, Unwatched());
     }
 };
@@ -291,7 +290,6 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
         try {
             built.build();
             EXPECT_EQ(built.tetrahedra().size(), expected.size());
-            StopFlag cancelled;
             VoronoiDiagram diagram(built.allocator());
             build_periodic_diagram(built, Unwatched(), diagram);
             if (refusal.left >= 0) break;
@@ -457,7 +455,6 @@ TEST(Periodic, CancelWithin) {
 
 TEST(PeriodicDiagram, IsSetAnewByEachBuild) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    StopFlag cancelled;
     const Built many(cube, points_in(cube, 50, 3)), few(cube, points_in(cube, 3, 3));
     VoronoiDiagram diagram(many.allocator());
     build_periodic_diagram(many, Unwatched(), diagram);
@@ -474,7 +471,6 @@ TEST(PeriodicDiagram, SlabsHaveRays) {
     const Vectors slab = {1, 0, 0, 0, 1, 0};
     std::vector<double> points = points_in(slab, 200, 9);
     const Built built(slab, points);
-    StopFlag cancelled;
     VoronoiDiagram diagram(built.allocator());
     build_periodic_diagram(built, Unwatched(), diagram);
     std::vector<double> volumes(200);
