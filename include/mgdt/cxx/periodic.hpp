@@ -135,8 +135,10 @@ class Periodic : public detail::Results<detail::PeriodicCalls> {
      *  @throw Cancelled, OutOfMemory, Error */
     [[nodiscard]] Voronoi voronoi() const {
         mgdt_voronoi* made = nullptr;
-        require(mgdt_periodic_create_voronoi(get(), &made));
-        return Voronoi(made);
+        const mgdt_status status = mgdt_periodic_create_voronoi(get(), &made);
+        Voronoi diagram(made);  // the callback may throw at the last report, when there is one
+        require(status);
+        return diagram;
     }
 };
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../mgdt_voronoi.h"
@@ -54,8 +55,9 @@ class Voronoi : public detail::Results<detail::VoronoiCalls, detail::Owner<detai
         const mgdt_status status =
             mgdt_voronoi_create(t.handle(), static_cast<std::int64_t>(planes.size()),
                                 planes.empty() ? nullptr : planes[0].data(), &made);
+        Voronoi owned(made);  // the callback may throw at the last report, when there is a diagram
         t.require(status);
-        *this = Voronoi(made);
+        *this = std::move(owned);
     }
     /** Takes ownership of a handle of the C interface. */
     explicit Voronoi(mgdt_voronoi* owned) noexcept : Results(owned) {}
