@@ -453,9 +453,10 @@ MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
  *  mgdt_set_progress() and which mgdt_cancel() stops: mgdt_check(), measures of cells and of
  *  tetrahedra, circumcentres, alpha values and alpha shapes, the Gabriel graph and the spanning
  *  tree, interpolation, gradients, mgdt_locate_points() and mgdt_nearest_vertices(). If such a call
- *  is cancelled, what it has written to output arrays has no meaning. Calls that copy what the
- *  handle has are never long calls. Earlier versions did not call the callback there, so it may be
- *  one that has to be called during insertions alone; therefore this is off by default.
+ *  is cancelled, the contents of its output arrays are unspecified. Calls that only copy arrays of
+ *  the handle are never long calls. The setting is off by default, because up to version 1.2 only
+ *  insertions, removals and moves called the callback: a program may have set one that must not be
+ *  called at other times.
  *  @param on  1, or 0 (default)
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.3 */

@@ -114,8 +114,9 @@ mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FU
                                    : guard_uncounted(t, Body(body), name);
 }
 
-// The progress function of a long call that reads a handle. While it runs, calls of its thread that
-// read the handle and are counted are refused, so that it does not recur.
+// The progress function of a long call that reads a handle. While it runs, guard_together() refuses
+// calls that its thread makes on the same handle. Otherwise a progress function that made such a
+// call would call itself without end.
 class ProgressOfRead {
   public:
     // Calls the function that `settings` names now.

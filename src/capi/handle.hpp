@@ -169,8 +169,8 @@ mgdt_status get_progress(const H* handle, mgdt_progress_fn* fn, void** user,
 
 enum class Watched { if_set, always };
 
-// Runs body(progress), a call that reads the handle, takes long, and may report its progress and be
-// cancelled: if the settings say so, or always.
+// Runs body(progress), a long call that reads the handle. The call reports progress and can be
+// cancelled if the settings say so, or if `watched` is `always`.
 template <class H, class F>
 mgdt_status guard_long(const H* handle, F body, Watched watched = Watched::if_set,
                        const char* name = __builtin_FUNCTION()) {

@@ -6,9 +6,9 @@
 
 namespace mgdt {
 
-// The coordinates of the points of a domain are multiples of the grid's step, a power of two, and
-// at most 2^bits steps. Then many points of each segment have coordinates that are doubles,
-// exactly. The coarser the grid, the more such points there are (docs/theory.md, "Points on
+// Rounds points so that segments between them have many points whose coordinates are doubles,
+// exactly: the coordinates of rounded points are multiples of a step, a power of two, and at most
+// 2^bits steps. A coarser grid leaves more such points on each segment (docs/theory.md, "Points on
 // segments").
 class RoundingGrid {
   public:

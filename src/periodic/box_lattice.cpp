@@ -29,8 +29,8 @@ void cross(const double* a, const double* b, Twofold (&to)[3]) {
     }
 }
 
-// An upper bound of the coefficients of the basis in terms of the caller's vectors. With it, sums
-// of products with numbers up to 2^30 fit 64 bits.
+// The largest allowed coefficient when the basis is expressed in the caller's vectors. With this
+// limit, sums of products with numbers up to 2^30 fit 64 bits.
 constexpr double most_multiples = 0x1p31;
 
 [[noreturn]] void fail_to_span(unsigned dimensions) {

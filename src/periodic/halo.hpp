@@ -102,7 +102,8 @@ class Halo {
     std::size_t bytes_elsewhere() const;
     // The width of the shell along vector k, as a share of the vector: the halo contains all images
     // whose coordinate along this vector exceeds the box by at most this much. The width is at most
-    // `first_width` times the distance of neighbours among points that fill the box evenly.
+    // `first_width` times the spacing that the same number of points would have if they filled the
+    // box evenly.
     double shell(unsigned k) const { return shell_[k]; }
     static constexpr double first_width = 1.6;
     // The number of rounds in which images were added to the first halo.

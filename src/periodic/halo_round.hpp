@@ -18,8 +18,8 @@ class Halo::Round {
     void look_at_all();
     // Checks those of them that also have a corner with an index of at least `first`.
     void look_at_stars(std::size_t first);
-    // Whether some tetrahedra were not checked, because their corners had to get their basic images
-    // first. Another round is needed then.
+    // Returns true if some tetrahedra were skipped, because their corners had to get their basic
+    // images first. Another round is needed then.
     bool is_preliminary() const { return is_preliminary_; }
 
     // Adds the basic images of a point: the images that bound the Voronoi cell of a lattice point.

@@ -14,7 +14,8 @@ constexpr double cells_per_point = 0.25;
 constexpr double most_cells = 64;  // along a vector
 // Ranges are widened by this much, which exceeds the rounding errors of coordinates of a few boxes.
 constexpr double slack = 0x1p-40;
-// Cells within this distance of a range, in sides of a cell, are marked too, for later rounds.
+// Cells within this distance of a range, in sides of a cell, are marked too, because later rounds
+// are likely to need them.
 constexpr double margin = 0.25;
 // With at most this many blocks, the sums are below 2^31.
 constexpr std::int32_t most_blocks = std::int32_t{1} << 30;

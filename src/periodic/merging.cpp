@@ -98,7 +98,8 @@ void merge_points(const ImageGrid& grid, double distance, Buffer<double>& wrappe
         double* const x = wrapped.begin() + 3 * std::size_t{i};
         double s[3];
         lattice.coordinates(x, s);
-        // The range of multiples that leave the point in the box or within the distance of it.
+        // The range of multiples by which the point can be moved so that it stays in the box or
+        // within the distance of it.
         std::int32_t low[3] = {}, high[3] = {};
         for (unsigned k = 0; k < d; ++k) {
             const double margin = 1.001 * reach[k] + lattice.error_of(k, grid.size());

@@ -42,9 +42,9 @@ class StageProgress {
         tell(fraction);
         stop_.request().poll();
     }
-    // Looks for a request to stop, and throws as report() does. Called by a member of a team that
-    // has done this part of its share. Member 0 is on the calling thread, and its share is the
-    // stage.
+    // Polls for a request to stop, and reports progress. A member of a team calls this function
+    // when `done` of the `all` items of its share are done. Only member 0, which runs on the
+    // calling thread, reports; its share stands for the whole stage. Throws as report() does.
     MGDT_NOT_INLINE void look(std::size_t done, std::size_t all, unsigned member) {
         stop_.request().poll();
         if (member != 0 || !tell_) return;
@@ -52,7 +52,8 @@ class StageProgress {
         const double fraction = static_cast<double>(done) / static_cast<double>(all);
         if (from_ + fraction * (to_ - from_) >= told_ + 0.01) report(fraction);
     }
-    // Step i of a loop from `begin` to `end`, the share of a member. Looks in some of the steps.
+    // Counts step i of a loop over the share from `begin` to `end` of a member. Calls look() once
+    // in 256 steps.
     void step(std::size_t i, std::size_t begin, std::size_t end, unsigned member = 0) {
         constexpr std::size_t interval = 256;
         if ((i - begin) % interval == 0) look(i - begin, end - begin, member);
@@ -98,8 +99,8 @@ class StageProgress {
     mgdt_progress_fn tell_;
     void* user_;
     StopFlag& stop_;
-    // In the progress of the whole call: the range of the stages, that of the stage, and what was
-    // reported last.
+    // All of these are fractions of the whole call: the range that the stages divide, the range of
+    // the current stage, and the fraction that was reported last.
     double begin_ = 0, end_ = 1, from_ = 0, to_ = 1, told_ = -1;
 };
 

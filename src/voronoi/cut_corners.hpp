@@ -26,9 +26,9 @@ class CutCorners {
     // Registers the circumcentre of a tetrahedron. All circumcentres are registered before the
     // first find().
     void add(TetId t);
-    // The corner with this key, which has at least one site. The result is the slot of a
-    // tetrahedron whose circumcentre the corner is, or a number with the flag cut_corner. Throws
-    // std::bad_alloc.
+    // Returns the corner with this key, which has at least one site. If the corner is the
+    // circumcentre of a tetrahedron, the result is the slot of that tetrahedron; otherwise it is a
+    // number with the flag cut_corner. Throws std::bad_alloc.
     std::uint32_t find(Key key);
 
     const SplitPoint& operator[](std::uint32_t corner) const noexcept {
