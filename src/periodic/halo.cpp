@@ -168,7 +168,7 @@ void Halo::insert(std::size_t first, StageProgress& progress) {
 }
 
 void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Image>& expected,
-                 std::int32_t threads, StageProgress& progress, const StopRequest& stop) {
+                 std::int32_t threads, StageProgress& progress) {
     clear();
     grid_ = &grid;
     points_ = std::move(points);
@@ -197,7 +197,7 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         progress.enter(done, done + 0.8 * (1 - done));
         done += 0.8 * (1 - done);
         if (point_count() > first) insert(first, progress);
-        Round round(*this, std::size_t{8} << std::min(rounds_, 30u), stop);
+        Round round(*this, std::size_t{8} << std::min(rounds_, 30u), progress.stop_request());
         const std::size_t known = point_count();
         // If the points do not span space but the infinite set does, the basic images of one point
         // suffice.

@@ -71,7 +71,7 @@ class Halo {
     // three coordinates for each. `expected` lists the images of the first halo; any images may be
     // in it. Throws as Triangulation::insert().
     void build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Image>& expected,
-               std::int32_t threads, StageProgress& progress, const StopRequest& stop);
+               std::int32_t threads, StageProgress& progress);
     void clear() noexcept;
 
     // The vertices have the indices of the points of the box first, and then those of the images.

@@ -100,7 +100,7 @@ class Halo::Round {
 
     Halo& halo_;
     const Mesh& mesh_;
-    const StopRequest& stop_;
+    const StopRequest stop_;
     Buffer<Ball> balls_;
     Buffer<Deferred> deferred_;
     Buffer<Image> unsure_;

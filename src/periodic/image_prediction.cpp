@@ -15,14 +15,14 @@ void push(Buffer<double>& points, const double* x) {
 }
 
 // Whether the points of a small sample need more images than points that fill the box evenly.
-bool need_many_images(const ImageGrid& grid, const Buffer<double>& points, StageProgress& progress,
-                      const StopRequest& stop) {
+bool need_many_images(const ImageGrid& grid, const Buffer<double>& points,
+                      StageProgress& progress) {
     Allocator& allocator = points.allocator();
     const std::size_t n = points.size() / 3, count = std::min<std::size_t>(n / 16, 4096);
     Buffer<double> probe(allocator);
     for (std::size_t i = 0; i < count; ++i) push(probe, points.begin() + 3 * (i * n / count));
     Halo halo(allocator);
-    halo.build(grid, std::move(probe), Buffer<Image>(allocator), 1, progress, stop);
+    halo.build(grid, std::move(probe), Buffer<Image>(allocator), 1, progress);
     Buffer<Halo::UsedImage> used(allocator);
     halo.list_used_images(used);
     // The stars of evenly spaced points need images at up to 1.2 times the distance of neighbouring
@@ -37,24 +37,24 @@ bool need_many_images(const ImageGrid& grid, const Buffer<double>& points, Stage
 }  // namespace
 
 void predict_images(const ImageGrid& grid, const Buffer<double>& points, std::int32_t threads,
-                    StageProgress& progress, const StopRequest& stop, Buffer<Image>& expected) {
+                    StageProgress& progress, Buffer<Image>& expected) {
     Allocator& allocator = points.allocator();
     const auto n = static_cast<std::uint32_t>(points.size() / 3);
     StageProgress quiet = progress.quiet();
-    if (n < least_points || !need_many_images(grid, points, quiet, stop)) return;
+    if (n < least_points || !need_many_images(grid, points, quiet)) return;
     // The sample has one point from each group of near points.
     PointTree tree(allocator, most_in_group);
     for (std::uint32_t p = 0; p < n; ++p) tree.push(p, points.begin() + 3 * std::size_t{p});
-    tree.make(stop);
+    tree.make(progress.stop_request());
     Buffer<double> sample(allocator);
     tree.each_leaf([&](std::uint32_t begin, std::uint32_t end) {
         push(sample, points.begin() + 3 * std::size_t{tree.number(begin + (end - begin) / 2)});
     });
     const std::size_t groups = sample.size() / 3;
     Buffer<Image> of_sample(allocator);
-    predict_images(grid, sample, threads, quiet, stop, of_sample);
+    predict_images(grid, sample, threads, quiet, of_sample);
     Halo halo(allocator);
-    halo.build(grid, std::move(sample), of_sample, threads, quiet, stop);
+    halo.build(grid, std::move(sample), of_sample, threads, quiet);
     Buffer<Halo::UsedImage> used(allocator);
     halo.list_used_images(used);
     Buffer<std::uint32_t> begin_of(allocator);

@@ -10,6 +10,6 @@ namespace mgdt {
 // has. Points on lines and surfaces do; without a prediction, their halo takes many rounds. The
 // points are wrapped and on the grid. Throws as Halo::build().
 void predict_images(const ImageGrid& grid, const Buffer<double>& points, std::int32_t threads,
-                    StageProgress& progress, const StopRequest& stop, Buffer<Image>& expected);
+                    StageProgress& progress, Buffer<Image>& expected);
 
 }  // namespace mgdt

@@ -139,12 +139,11 @@ void Periodic::build() {
         progress.enter(0, 0);
         Buffer<double> wrapped(allocator_);
         wrap(wrapped);
-        const StopRequest stop = stop_.request();
         Buffer<Image> expected(allocator_);
         find_expected_images(expected);
         if (expected.empty())
-            predict_images(*grid_, wrapped, settings_.threads, progress, stop, expected);
-        halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress, stop);
+            predict_images(*grid_, wrapped, settings_.threads, progress, expected);
+        halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress);
     } catch (...) {
         forget_results();
         throw;

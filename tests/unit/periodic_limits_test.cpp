@@ -339,12 +339,10 @@ TEST(Periodic, PredictedImagesChangeNothing) {
                 for (unsigned c = 0; c < 3; ++c) wrapped.push_back(built.halo().point(i)[c]);
             StopFlag cancelled;
             StageProgress progress(CallSettings(), cancelled);
-            const StopRequest stop = cancelled.request();
             Buffer<Image> predicted(allocator);
-            predict_images(built.grid(), wrapped, 1, progress, stop, predicted);
+            predict_images(built.grid(), wrapped, 1, progress, predicted);
             Halo halo(allocator);
-            halo.build(built.grid(), std::move(wrapped), Buffer<Image>(allocator), 1, progress,
-                       stop);
+            halo.build(built.grid(), std::move(wrapped), Buffer<Image>(allocator), 1, progress);
             if (!predicted.empty()) {
                 EXPECT_GT(halo.rounds(), built.halo().rounds());
                 ++predictions;

@@ -120,8 +120,7 @@ void with_halo(const Wrapped& wrapped, const Visit& visit) {
     Buffer<double> points(allocator);
     for (const double x : wrapped.coordinates) points.push_back(x);
     Halo halo(allocator);
-    halo.build(wrapped.grid, std::move(points), Buffer<Image>(allocator), 1, progress,
-               cancelled.request());
+    halo.build(wrapped.grid, std::move(points), Buffer<Image>(allocator), 1, progress);
     visit(halo);
 }
 
