@@ -98,6 +98,10 @@ std::int64_t written(const T& element, std::int64_t base) noexcept {
     }
 }
 
+[[noreturn]] MGDT_NOT_INLINE inline void refuse_large(std::int64_t value) {
+    fail(MGDT_ERR_INDEX_RANGE, "%lld does not fit a 32-bit integer", static_cast<long long>(value));
+}
+
 template <Element E, class Elements, class Int>
 void write_integers(const Elements& elements, std::int64_t base, Int* values) {
     std::int64_t too_large = 0;
@@ -106,9 +110,7 @@ void write_integers(const Elements& elements, std::int64_t base, Int* values) {
         *values = static_cast<Int>(value);
         if (*values++ != value) too_large = value;
     });
-    if (too_large != 0)
-        fail(MGDT_ERR_INDEX_RANGE, "%lld does not fit a 32-bit integer",
-             static_cast<long long>(too_large));
+    if (too_large != 0) refuse_large(too_large);
 }
 template <Element E, class Fill, class Int>
 void write_integers(const Filled<Fill>& elements, std::int64_t base, Int* values) {
@@ -138,6 +140,11 @@ template <class Read, class Elements>
 void write(const Array<Element::real, Read>&, const Elements& elements, std::int64_t,
            double* values) {
     write_doubles(elements, values);
+}
+
+[[noreturn]] MGDT_NOT_INLINE inline void refuse_kind(std::int32_t key, bool wants_doubles) {
+    fail(MGDT_ERR_UNKNOWN_KEY, "array %d has %s", static_cast<int>(key),
+         wants_doubles ? "integers, not doubles" : "doubles, not integers");
 }
 
 // Calls f(array) for the array with this key. Throws if there is none.
@@ -190,8 +197,7 @@ void get_array(const Table& table, const Object& object, std::int32_t key, std::
     constexpr bool wants_doubles = std::is_same_v<Value, double>;
     with_array(table, key, [&](const auto& array) {
         if constexpr (std::remove_reference_t<decltype(array)>::is_double != wants_doubles) {
-            fail(MGDT_ERR_UNKNOWN_KEY, "array %d has %s", static_cast<int>(key),
-                 wants_doubles ? "integers, not doubles" : "doubles, not integers");
+            refuse_kind(key, wants_doubles);
         } else {
             require(object);
             const auto& elements = std::invoke(array.read, object);

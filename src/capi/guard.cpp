@@ -1,7 +1,64 @@
 // SPDX-License-Identifier: MIT
 #include "capi/guard.hpp"
 
+#include <cstdio>
+#include <cstring>
+#include <limits>
+
 namespace mgdt {
+namespace {
+
+void copy(const char* from, char* to, std::size_t capacity) noexcept {
+    const std::size_t length = std::strlen(from);
+    const std::size_t kept = length < capacity ? length : capacity - 1;
+    std::memcpy(to, from, kept);
+    to[kept] = '\0';
+}
+
+}  // namespace
+
+// Protects the message of a handle.
+class HandleBase::Lock {
+  public:
+    explicit Lock(Atomic<bool>& flag) noexcept : flag_(flag) {
+        while (flag_.exchange(true, std::memory_order_acquire)) {
+        }
+        annotate_acquire(&flag_);
+    }
+    ~Lock() {
+        annotate_release(&flag_);
+        flag_.store(false, std::memory_order_release);
+    }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+  private:
+    Atomic<bool>& flag_;
+};
+
+mgdt_status HandleBase::refuse(const char* name, const char* other) const noexcept {
+    char message[Error::message_size];
+    if (!other) other = calls.name();
+    if (other)
+        std::snprintf(message, sizeof message, "%s() is refused: the handle is busy in %s()", name,
+                      other);
+    else
+        std::snprintf(message, sizeof message,
+                      "%s() is refused: the handle is busy in calls that read it", name);
+    remember(message);
+    return MGDT_ERR_BUSY;
+}
+
+void HandleBase::remember(const char* message) const noexcept {
+    const Lock lock(message_lock_);
+    copy(message, message_, sizeof message_);
+}
+
+void HandleBase::recall(char* to, std::size_t capacity) const noexcept {
+    const Lock lock(message_lock_);
+    copy(message_, to, capacity);
+}
+
 namespace {
 
 // Runs `body` for a handle that the call has entered and returns its status.
@@ -27,44 +84,73 @@ MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, const Body& body) no
     }
 }
 
-}  // namespace
-
-// Is on the stack while a progress function runs, which may make calls on other handles.
-class ProgressOfRead::Running {
+// The progress function of a long call that reads a handle. While it runs, guard_together() refuses
+// calls that its thread makes on the same handle. Otherwise a progress function that made such a
+// call would call itself without end.
+class ProgressOfRead {
   public:
-    explicit Running(const ProgressOfRead& of) noexcept : of_(of), outer_(innermost) {
-        innermost = this;
-    }
-    ~Running() { innermost = outer_; }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
+    // Calls the function that `settings` names now.
+    ProgressOfRead(const HandleBase* handle, const char* name,
+                   const CallSettings& settings) noexcept
+        : handle_(handle), name_(name), tell_(settings.progress), user_(settings.progress_user) {}
+    ProgressOfRead(const ProgressOfRead&) = delete;
+    ProgressOfRead& operator=(const ProgressOfRead&) = delete;
 
-    const ProgressOfRead& of() const noexcept { return of_; }
-    const Running* outer() const noexcept { return outer_; }
+    // Settings whose progress function is this one.
+    CallSettings settings() noexcept {
+        CallSettings own;
+        if (!tell_) return own;
+        own.progress = [](double fraction, void* user) {
+            const ProgressOfRead& of = *static_cast<const ProgressOfRead*>(user);
+            const Running running(of);
+            return of.tell_(fraction, of.user_);
+        };
+        own.progress_user = this;
+        return own;
+    }
+    // The name of the call that reads the handle and whose progress function runs on this thread;
+    // nullptr if there is none.
+    static const char* running_for(const HandleBase* handle) noexcept {
+        for (const Running* r = innermost; r; r = r->outer)
+            if (r->of.handle_ == handle) return r->of.name_;
+        return nullptr;
+    }
 
   private:
-    const ProgressOfRead& of_;
-    const Running* outer_;
+    // Is on the stack while a progress function runs, which may make calls on other handles.
+    struct Running {
+        explicit Running(const ProgressOfRead& p) noexcept : of(p), outer(innermost) {
+            innermost = this;
+        }
+        ~Running() { innermost = outer; }
+        Running(const Running&) = delete;
+        Running& operator=(const Running&) = delete;
+
+        const ProgressOfRead& of;
+        const Running* outer;
+    };
+    static thread_local const Running* innermost;
+
+    const HandleBase* handle_;
+    const char* name_;
+    mgdt_progress_fn tell_;
+    void* user_;
 };
 
 thread_local const ProgressOfRead::Running* ProgressOfRead::innermost = nullptr;
 
-CallSettings ProgressOfRead::settings() noexcept {
-    CallSettings own;
-    if (!tell_) return own;
-    own.progress = [](double fraction, void* user) {
-        const ProgressOfRead& of = *static_cast<const ProgressOfRead*>(user);
-        const Running running(of);
-        return of.tell_(fraction, of.user_);
-    };
-    own.progress_user = this;
-    return own;
-}
+}  // namespace
 
-const char* ProgressOfRead::running_for(const HandleBase* handle) noexcept {
-    for (const Running* r = innermost; r; r = r->outer())
-        if (r->of().handle_ == handle) return r->of().name_;
-    return nullptr;
+void read_for_long(const HandleBase* handle, const CallSettings& settings, StopFlag& stop,
+                   bool is_watched, FunctionRef<void(StageProgress&)> body, const char* name) {
+    StopFlag never;
+    StopFlag& watched = is_watched ? stop : never;
+    const StopFlag::Call call(watched);
+    ProgressOfRead of_read(handle, name, is_watched ? settings : CallSettings());
+    StageProgress progress(of_read.settings(), watched);
+    progress.stop_request().poll();
+    body(progress);
+    progress.finish();
 }
 
 mgdt_status guard_alone(HandleBase* t, const Body& body, const char* name) {
@@ -99,6 +185,26 @@ mgdt_status get_message(const HandleBase* handle, std::int64_t capacity, char* b
     const CancellationDisabled uninterrupted;
     handle->recall(buffer, static_cast<std::size_t>(capacity));
     return MGDT_OK;
+}
+
+std::size_t require_count(std::int64_t n, const char* of) {
+    if (n < 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,
+             static_cast<long long>(n));
+    // This happens only where std::size_t has 32 bits.
+    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())
+        fail(MGDT_ERR_TOO_LARGE, "%lld %s are more than memory can hold", static_cast<long long>(n),
+             of);
+    return static_cast<std::size_t>(n);
+}
+
+void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {
+    if (capacity < 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the capacity of %s is negative (%lld)", name,
+             static_cast<long long>(capacity));
+    if (static_cast<std::uint64_t>(capacity) < needed)
+        fail(MGDT_ERR_BUFFER_TOO_SMALL, "%s holds %lld elements; %zu are needed", name,
+             static_cast<long long>(capacity), needed);
 }
 
 }  // namespace mgdt

@@ -4,9 +4,6 @@
 // convert every exception to a status and a message.
 #pragma once
 
-#include <cstdio>
-#include <cstring>
-#include <limits>
 #include <new>
 
 #include "capi/call_lock.hpp"
@@ -17,6 +14,8 @@
 #include "platform/compiler.hpp"
 #include "platform/error.hpp"
 #include "platform/fp_environment.hpp"
+#include "platform/function_ref.hpp"
+#include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
@@ -28,63 +27,21 @@ class HandleBase {
 
     // Remembers why a call cannot enter, and returns its status. `other` is the name of the call
     // that the handle is busy in, if it is known.
-    mgdt_status refuse(const char* name, const char* other = nullptr) const noexcept {
-        char message[Error::message_size];
-        if (!other) other = calls.name();
-        if (other)
-            std::snprintf(message, sizeof message, "%s() is refused: the handle is busy in %s()",
-                          name, other);
-        else
-            std::snprintf(message, sizeof message,
-                          "%s() is refused: the handle is busy in calls that read it", name);
-        remember(message);
-        return MGDT_ERR_BUSY;
-    }
+    mgdt_status refuse(const char* name, const char* other = nullptr) const noexcept;
 
     // The message of the last failure. Const calls on several threads may fail at once.
-    void remember(const char* message) const noexcept {
-        const Lock lock(message_lock_);
-        copy(message, message_, sizeof message_);
-    }
-    void recall(char* to, std::size_t capacity) const noexcept {
-        const Lock lock(message_lock_);
-        copy(message_, to, capacity);
-    }
+    void remember(const char* message) const noexcept;
+    void recall(char* to, std::size_t capacity) const noexcept;
 
   private:
-    static void copy(const char* from, char* to, std::size_t capacity) noexcept {
-        const std::size_t length = std::strlen(from);
-        const std::size_t kept = length < capacity ? length : capacity - 1;
-        std::memcpy(to, from, kept);
-        to[kept] = '\0';
-    }
-    struct Lock {
-        explicit Lock(Atomic<bool>& flag) noexcept : flag_(flag) {
-            while (flag_.exchange(true, std::memory_order_acquire)) {
-            }
-            annotate_acquire(&flag_);
-        }
-        ~Lock() {
-            annotate_release(&flag_);
-            flag_.store(false, std::memory_order_release);
-        }
-        Atomic<bool>& flag_;
-    };
+    class Lock;
+
     mutable Atomic<bool> message_lock_{false};
     mutable char message_[Error::message_size] = {};
 };
 
-// Refers to a function object and hides its type, so that each guard is compiled once.
-class Body {
-  public:
-    template <class F>
-    explicit Body(F& f) noexcept : call_([](void* of) { (*static_cast<F*>(of))(); }), of_(&f) {}
-    void operator()() const { call_(of_); }
-
-  private:
-    void (*call_)(void*);
-    void* of_;
-};
+// The body of a call. Its type is hidden, so that each guard is compiled once.
+using Body = FunctionRef<void()>;
 
 // Run a body within a handle, and return its status: alone; together with others that read; and
 // without being counted (guard.cpp).
@@ -95,14 +52,14 @@ mgdt_status guard_uncounted(const HandleBase* t, const Body& body, const char* n
 // Runs a call that changes the handle.
 template <class F>
 mgdt_status guard(HandleBase* t, F body, const char* name = __builtin_FUNCTION()) {
-    return guard_alone(t, Body(body), name);
+    return guard_alone(t, body, name);
 }
 
 // Runs a call that reads the handle and may take long. Calls that change the handle are refused
 // meanwhile.
 template <class F>
 mgdt_status guard(const HandleBase* t, F body, const char* name = __builtin_FUNCTION()) {
-    return guard_together(t, Body(body), name);
+    return guard_together(t, body, name);
 }
 
 // Runs a call that reads the handle for about a microsecond. Such a call is not counted, since with
@@ -110,37 +67,13 @@ mgdt_status guard(const HandleBase* t, F body, const char* name = __builtin_FUNC
 // because callbacks may call the handle.
 template <class Handle, class F>
 mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FUNCTION()) {
-    return t && t->has_callbacks() ? guard_together(t, Body(body), name)
-                                   : guard_uncounted(t, Body(body), name);
+    return t && t->has_callbacks() ? guard_together(t, body, name) : guard_uncounted(t, body, name);
 }
 
-// The progress function of a long call that reads a handle. While it runs, guard_together() refuses
-// calls that its thread makes on the same handle. Otherwise a progress function that made such a
-// call would call itself without end.
-class ProgressOfRead {
-  public:
-    // Calls the function that `settings` names now.
-    ProgressOfRead(const HandleBase* handle, const char* name,
-                   const CallSettings& settings) noexcept
-        : handle_(handle), name_(name), tell_(settings.progress), user_(settings.progress_user) {}
-    ProgressOfRead(const ProgressOfRead&) = delete;
-    ProgressOfRead& operator=(const ProgressOfRead&) = delete;
-
-    // Settings whose progress function is this one.
-    CallSettings settings() noexcept;
-    // The name of the call that reads the handle and whose progress function runs on this thread;
-    // nullptr if there is none.
-    static const char* running_for(const HandleBase* handle) noexcept;
-
-  private:
-    class Running;
-    static thread_local const Running* innermost;
-
-    const HandleBase* handle_;
-    const char* name_;
-    mgdt_progress_fn tell_;
-    void* user_;
-};
+// Runs body(progress), the body of a long call that reads `handle`, which the call has entered. The
+// call reports progress and can be cancelled if `is_watched`.
+void read_for_long(const HandleBase* handle, const CallSettings& settings, StopFlag& stop,
+                   bool is_watched, FunctionRef<void(StageProgress&)> body, const char* name);
 
 // A handle that a call on another handle reads.
 class SecondHandle {
@@ -166,24 +99,9 @@ inline void require_pointer(const void* p, const char* name) {
 }
 
 // Checks a number of points, or of something else, that a call is given.
-inline std::size_t require_count(std::int64_t n, const char* of = "points") {
-    if (n < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,
-             static_cast<long long>(n));
-    // This happens only where std::size_t has 32 bits.
-    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())
-        fail(MGDT_ERR_TOO_LARGE, "%lld %s are more than memory can hold", static_cast<long long>(n),
-             of);
-    return static_cast<std::size_t>(n);
-}
+std::size_t require_count(std::int64_t n, const char* of = "points");
 
-inline void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {
-    if (capacity < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the capacity of %s is negative (%lld)", name,
-             static_cast<long long>(capacity));
-    if (static_cast<std::uint64_t>(capacity) < needed)
-        fail(MGDT_ERR_BUFFER_TOO_SMALL, "%s holds %lld elements; %zu are needed", name,
-             static_cast<long long>(capacity), needed);
-}
+// Checks that an array of the caller with `capacity` elements has room for `needed` elements.
+void require_capacity(std::int64_t capacity, std::size_t needed, const char* name);
 
 }  // namespace mgdt

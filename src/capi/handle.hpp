@@ -172,22 +172,14 @@ enum class Watched { if_set, always };
 // Runs body(progress), a long call that reads the handle. The call reports progress and can be
 // cancelled if the settings say so, or if `watched` is `always`.
 template <class H, class F>
-mgdt_status guard_long(const H* handle, F body, Watched watched = Watched::if_set,
+mgdt_status guard_long(H* handle, F body, Watched watched = Watched::if_set,
                        const char* name = __builtin_FUNCTION()) {
     return guard(
         handle,
         [&] {
-            if (watched == Watched::if_set && !handle->object.settings().watches_reads) {
-                StopFlag never;
-                StageProgress unheard(CallSettings(), never);
-                return body(unheard);
-            }
-            const StopFlag::Call call(handle->object.stop());
-            ProgressOfRead of_read(handle, name, handle->object.settings());
-            StageProgress progress(of_read.settings(), handle->object.stop());
-            progress.stop_request().poll();
-            body(progress);
-            progress.finish();
+            const CallSettings& settings = handle->object.settings();
+            read_for_long(handle, settings, handle->object.stop(),
+                          watched == Watched::always || settings.watches_reads, body, name);
         },
         name);
 }

@@ -274,12 +274,7 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
 }
 
 extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
-    return guard(p, [&] {
-        StopFlag never;
-        const bool is_watched = p->object.settings().watches_reads;
-        StopFlag& stop = is_watched ? p->object.stop() : never;
-        const StopFlag::Call call(stop);
-        StageProgress progress(is_watched ? p->object.settings() : CallSettings(), stop);
+    return guard_long(p, [&](StageProgress& progress) {
         p->object.collective.run([&] {
             if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
@@ -288,7 +283,6 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
             p->object.triangulation->check(level, progress);
         });
-        progress.finish();
     });
 }
 

@@ -227,9 +227,8 @@ std::size_t interpolation_weights(const MeshView& view, const Locator& where, Ma
         block.size = std::min(most, places.size - begin);
         for (const double*& axis : block.axis) axis += 3 * begin;
         for (unsigned m = 0; m < view.team.size(); ++m) workers[m].clear();
-        const double size = static_cast<double>(places.size);
-        const StageProgress of_block = progress.within(
-            static_cast<double>(begin) / size, static_cast<double>(begin + block.size) / size);
+        const StageProgress of_block =
+            progress.within_items(begin, begin + block.size, places.size);
         locate_each(view, where, block, manner.outside == Outside::none, of_block, [&](unsigned m) {
             return [&, m](std::size_t i, TetId t, TetId near) {
                 RowWriter& writer = workers[m];

@@ -6,27 +6,10 @@
 
 #include <cstddef>
 
+#include "platform/function_ref.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
-
-// A non-owning reference to a callable.
-template <class Signature>
-class FunctionRef;
-template <class... Arguments>
-class FunctionRef<void(Arguments...)> {
-  public:
-    template <class F>
-    FunctionRef(F& f) noexcept  // NOLINT: meant to convert
-        : object_(&f), call_([](void* object, Arguments... arguments) {
-              (*static_cast<F*>(object))(arguments...);
-          }) {}
-    void operator()(Arguments... arguments) const { call_(object_, arguments...); }
-
-  private:
-    void* object_;
-    void (*call_)(void*, Arguments...);
-};
 
 class Team {
   public:

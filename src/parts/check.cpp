@@ -37,9 +37,9 @@ std::uint64_t count_hull_facets(const Part& part, const PartTetrahedra& tetrahed
 }  // namespace
 
 void Parts::check(std::int32_t level, StageProgress& progress) {
-    const double local = collective_.local_parts();
+    const StageProgress of_all = progress.within(0, 0.8);
     collective_.each_local([&](PartId p) {
-        StageProgress of_part = progress.within(0.8 * p / local, 0.8 * (p + 1) / local);
+        StageProgress of_part = of_all.within_items(p, p + 1, collective_.local_parts());
         const Triangulation& t = parts_[p].triangulation();
         Team team(t.threads_for(t.mesh().tetrahedra.size(), 65536));
         check_triangulation(team, t.check_input(), t.allocator(), level, 0, of_part);

@@ -5,8 +5,7 @@
 #include <cstddef>
 
 #include "platform/call_settings.hpp"
-#include "platform/callback.hpp"
-#include "platform/compiler.hpp"
+#include "platform/function_ref.hpp"
 #include "platform/stop_request.hpp"
 
 namespace mgdt {
@@ -21,37 +20,25 @@ class StageProgress {
     StageProgress quiet() const noexcept { return {nullptr, nullptr, stop_}; }
     // For a call within the call, which has stages of its own. In these, the progress of the whole
     // call goes from `from` to `to`.
-    StageProgress within(double from, double to) const noexcept {
-        StageProgress inner = *this;
-        inner.begin_ = inner.from_ = at(from);
-        inner.end_ = inner.to_ = at(to);
-        return inner;
+    StageProgress within(double from, double to) const noexcept;
+    // The same, for items `first` to `last` of `all` items that take about equal times.
+    StageProgress within_items(std::size_t first, std::size_t last,
+                               std::size_t all) const noexcept {
+        const double count = static_cast<double>(all);
+        return within(static_cast<double>(first) / count, static_cast<double>(last) / count);
     }
     StopRequest stop_request() const noexcept { return stop_.request(); }
     // Passes this share of what remains. Stages that are entered later, from 0 to 1, divide the
     // rest.
     void leave_behind(double share) { begin_ = at(share); }
     // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
-    void enter(double from, double to) {
-        from_ = at(from);
-        to_ = at(to);
-        report(0);
-    }
+    void enter(double from, double to);
     // Reports a fraction of the stage. Throws MGDT_ERR_CANCELLED if there is a request to stop.
-    void report(double fraction) {
-        tell(fraction);
-        stop_.request().poll();
-    }
+    void report(double fraction);
     // Polls for a request to stop, and reports progress. A member of a team calls this function
     // when `done` of the `all` items of its share are done. Only member 0, which runs on the
     // calling thread, reports; its share stands for the whole stage. Throws as report() does.
-    MGDT_NOT_INLINE void look(std::size_t done, std::size_t all, unsigned member) {
-        stop_.request().poll();
-        if (member != 0 || !tell_) return;
-        // About a hundred reports of the whole call.
-        const double fraction = static_cast<double>(done) / static_cast<double>(all);
-        if (from_ + fraction * (to_ - from_) >= told_ + 0.01) report(fraction);
-    }
+    void look(std::size_t done, std::size_t all, unsigned member);
     // Counts step i of a loop over the share from `begin` to `end` of a member. Calls look() once
     // in 256 steps.
     void step(std::size_t i, std::size_t begin, std::size_t end, unsigned member = 0) {
@@ -59,42 +46,22 @@ class StageProgress {
         if ((i - begin) % interval == 0) look(i - begin, end - begin, member);
     }
     // Reports that everything is done. It is too late to cancel.
-    void finish() {
-        if (tell_) call_back<std::int32_t>(1, [&] { return tell_(1, user_); });
-    }
+    void finish();
     // Runs an insertion into a triangulation with these settings. The progress of the insertion is
     // share i of n of the stage.
     template <class Insert>
     void watch(CallSettings& settings, std::size_t i, std::size_t n, const Insert& insert) {
-        Share share{*this, static_cast<double>(i), static_cast<double>(n)};
-        settings.progress_user = &share;
-        settings.progress = [](double fraction, void* user) -> std::int32_t {
-            const Share& s = *static_cast<const Share*>(user);
-            s.progress.tell((s.first + fraction) / s.count);
-            return s.progress.stop_.is_set() ? 1 : 0;
-        };
-        const Unset unset{settings};
-        insert();
+        run_watched(settings, i, n, insert);
     }
 
   private:
     StageProgress(mgdt_progress_fn tell, void* user, StopFlag& stop) noexcept
         : tell_(tell), user_(user), stop_(stop) {}
 
-    struct Share {
-        StageProgress& progress;
-        double first, count;
-    };
-    struct Unset {
-        CallSettings& settings;
-        ~Unset() { settings.progress = nullptr; }
-    };
     double at(double fraction) const noexcept { return begin_ + fraction * (end_ - begin_); }
-    void tell(double fraction) {
-        if (!tell_) return;
-        told_ = from_ + fraction * (to_ - from_);
-        if (call_back<std::int32_t>(1, [&] { return tell_(told_, user_); }) != 0) stop_.set();
-    }
+    void tell(double fraction);
+    void run_watched(CallSettings& settings, std::size_t i, std::size_t n,
+                     FunctionRef<void()> insert);
 
     mgdt_progress_fn tell_;
     void* user_;

@@ -34,9 +34,7 @@ void locate_each(const MeshView& view, const Locator& where, const PointSet& pla
         PointSet block = places;
         block.size = std::min(most, places.size - begin);
         for (const double*& axis : block.axis) axis += 3 * begin;
-        const double size = static_cast<double>(places.size);
-        StageProgress of_block = progress.within(static_cast<double>(begin) / size,
-                                                 static_cast<double>(begin + block.size) / size);
+        StageProgress of_block = progress.within_items(begin, begin + block.size, places.size);
         const CurveOrder order = sort_along_curve(view.team, block, view.allocator);
         const auto index = [&](std::size_t k) { return begin + order.index(k); };
         view.team.split(block.size, places_per_thread,

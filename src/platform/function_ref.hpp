@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace mgdt {
+
+// A reference to a function object, which hides the type of the object.
+template <class Signature>
+class FunctionRef;
+template <class... Arguments>
+class FunctionRef<void(Arguments...)> {
+  public:
+    template <class F>
+    FunctionRef(F& f) noexcept  // NOLINT: meant to convert
+        : object_(const_cast<void*>(static_cast<const void*>(&f))),
+          call_([](void* object, Arguments... arguments) {
+              (*static_cast<F*>(object))(arguments...);
+          }) {}
+    void operator()(Arguments... arguments) const { call_(object_, arguments...); }
+
+  private:
+    void* object_;
+    void (*call_)(void*, Arguments...);
+};
+
+}  // namespace mgdt
