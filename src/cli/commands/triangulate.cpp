@@ -193,7 +193,7 @@ const Command triangulate_command = {
         app.add_flag("--stats", options->statistics, "Print counts and times");
         app.add_option(
                "--parts", options->parts,
-               "Triangulate in so many parts, one in memory at a time; writes FILE.pvtu and "
+               "Triangulate in this many parts, one in memory at a time; writes FILE.pvtu and "
                "a .vtu file for each")
             ->check(CLI::Range(1, 1 << 20))
             ->type_name("N");
