@@ -181,7 +181,7 @@ MGDT_API mgdt_status mgdt_mesh_array_info(int32_t array, int32_t* columns, int32
 MGDT_API mgdt_status mgdt_mesh_get_size(const mgdt_mesh* m, int32_t array, int64_t* size);
 
 /** Writes an array of integers.
- *  @param array     MGDT_MESH_ARRAY_POINT_ORIGINS to MGDT_MESH_ARRAY_STEINER_EDGES
+ *  @param array     an MGDT_MESH_ARRAY_ value of integers
  *  @param capacity  at least what mgdt_mesh_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
  *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not fit; the elements of
@@ -195,7 +195,7 @@ MGDT_API mgdt_status mgdt_mesh_get_array_i32(const mgdt_mesh* m, int32_t array, 
                                              int32_t* values);
 
 /** Writes an array of doubles.
- *  @param array     MGDT_MESH_ARRAY_POINTS or MGDT_MESH_ARRAY_STEINER_PARAMETERS
+ *  @param array     an MGDT_MESH_ARRAY_ value of doubles
  *  @param capacity  at least what mgdt_mesh_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
  *  MGDT_ERR_BUFFER_TOO_SMALL

@@ -182,10 +182,10 @@ MGDT_API mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t arr
 
 /** Leaves out the faces whose area is less than `least_area`, or, for each of the cells that they
  *  separate, less than `least_share` times the total area of the cell's bounded faces. A face
- *  belongs to both of its cells, so it leaves both.
- *  The faces that stay are numbered again, in their order; vertices, rays, volumes and centroids
- *  stay. Points of a lattice that was rotated, and so rounded, have tiny faces beside the large
- *  ones; without them the cells have the faces of the lattice.
+ *  belongs to both of its cells, so it leaves both. The faces that stay are numbered again, in
+ *  their order; vertices, rays, volumes and centroids stay. Points of a lattice that was rotated,
+ *  and so rounded, have tiny faces beside the large ones; without them the cells have the faces of
+ *  the lattice.
  *  @param least_area   at least 0
  *  @param least_share  at least 0 and less than 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (with
