@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a release declared is still declared, with the same types and values; and the client that was
-compiled with it uses all of it. Comments and layout are free.
+"""What a release declared is still declared, with the same types and values; and the clients that were
+compiled with it and with earlier releases use all of it. Comments and layout are free.
 
-  frozen_test.py --headers mgdt.h mgdt_parts.h --frozen mgdt-1.0.h [mgdt-1.1.h ...] --client PROGRAM
+  frozen_test.py --headers mgdt.h [mgdt_parts.h ...] --frozen mgdt-1.0.h [mgdt-1.1.h ...]
+                 --clients CLIENT_OF_1.0 [CLIENT_OF_1.1 ...]
 
-Frozen headers are given oldest first: the client's is the last, and the others tell in which
-version node a function is.
+Frozen headers and clients are given oldest first. The last header and the last client are those of the
+release; the other headers tell in which version node a function is, and the other clients call what
+their releases added.
 """
 import argparse
 import re
@@ -30,7 +32,7 @@ CHANGES = [
     (r"MGDT_CHECK_CANONICAL = 3", "MGDT_CHECK_CANONICAL", "enumerator MGDT_CHECK_CANONICAL"),
     (r"#define MGDT_VERSION_MAJOR 1", "#define MGDT_VERSION_MAJOR 2", "macro MGDT_VERSION_MAJOR"),
     (r"typedef int32_t mgdt_status;", "typedef int mgdt_status;", "type mgdt_status"),
-    (r"\(double fraction, void \*user\)", "(double fraction)", "type mgdt_progress_fn"),
+    (r"\(double fraction, void ?\* ?user\)", "(double fraction)", "type mgdt_progress_fn"),
     (r"typedef struct mgdt_triangulation", "typedef union mgdt_triangulation", "type mgdt_triangulation"),
     (r"(mgdt_reserve\([^;]*)int64_t", r"\1int32_t", "function mgdt_reserve"),
     (r"(mgdt_insert_points\([^;]*)const double", r"\1double", "function mgdt_insert_points"),
@@ -41,9 +43,16 @@ CHANGES = [
 # Changes of what 1.2 added.
 CHANGES_1_2 = [
     (r"(int32_t processes;)(\s*)(int32_t process;)", r"\3\2\1", "type mgdt_transport"),
-    (r"void \*user;\n\} mgdt_transport", "} mgdt_transport", "type mgdt_transport"),
+    (r"void ?\* ?user;\n\} mgdt_transport", "} mgdt_transport", "type mgdt_transport"),
     (r"(mgdt_move_points\([^;]*)const int64_t", r"\1int64_t", "function mgdt_move_points"),
     (r"MGDT_PARTS_THIS_PART = -1", "MGDT_PARTS_THIS_PART = 0", "enumerator MGDT_PARTS_THIS_PART"),
+]
+# Changes of what 1.3 added.
+CHANGES_1_3 = [
+    (r"MGDT_MESH_ARRAY_NEIGHBORS = 211", "MGDT_MESH_ARRAY_NEIGHBORS = 213", "enumerator MGDT_MESH_ARRAY_NEIGHBORS"),
+    (r"typedef struct mgdt_mesh mgdt_mesh;", "typedef struct mgdt_domain mgdt_mesh;", "type mgdt_mesh"),
+    (r"(mgdt_domain_build\([^;]*)mgdt_mesh\*\*", r"\1mgdt_mesh*", "function mgdt_domain_build"),
+    (r"MGDT_API mgdt_status mgdt_periodic_check\([^;]*;", "", "function mgdt_periodic_check"),
 ]
 # And changes that may be made.
 GROWTH = [
@@ -54,7 +63,7 @@ GROWTH = [
     (r"MGDT_ERR_CANCELLED = 40,", "MGDT_ERR_CANCELLED = 40, /**< Told anew, with a comma; = 41 */"),
     (r"(MGDT_API void mgdt_destroy)", "/** Told anew.\n#define MGDT_VERSION_MAJOR 7\nMGDT_API int32_t mgdt_clear(void);\n"
      r" */\n\1"),
-    (r"mgdt_status mgdt_clear\(mgdt_triangulation \*t\)", "mgdt_status\n    mgdt_clear( mgdt_triangulation *  t )"),
+    (r"mgdt_status mgdt_clear\(mgdt_triangulation ?\* ?t\)", "mgdt_status\n    mgdt_clear( mgdt_triangulation *  t )"),
 ]
 
 
@@ -67,8 +76,7 @@ def lost(old, new):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--client", type=Path, required=True)
-    for name in ("headers", "frozen"):
+    for name in ("headers", "frozen", "clients"):
         parser.add_argument(f"--{name}", type=Path, nargs="+", required=True)
     options = parser.parse_args()
     header = "\n".join(path.read_text() for path in options.headers)
@@ -86,7 +94,8 @@ def main():
               "; ".join(lost(interface.declarations(older.read_text()), old)))
     check("what it declared is declared", "; ".join(lost(old, interface.declarations(header))))
 
-    for pattern, replacement, report in CHANGES + (CHANGES_1_2 if "mgdt_transport" in frozen else []):
+    changes = CHANGES + (CHANGES_1_2 if "mgdt_transport" in frozen else []) + (CHANGES_1_3 if "mgdt_mesh" in frozen else [])
+    for pattern, replacement, report in changes:
         changed = re.sub(pattern, replacement, frozen)
         problems = lost(old, interface.declarations(changed))
         check(f"a change of {report} is noticed", "" if changed != frozen and len(problems) == 1 and
@@ -96,14 +105,16 @@ def main():
         check(f"'{replacement.strip()}' is no change", "nothing is like it" if changed == frozen else
               "; ".join(lost(old, interface.declarations(changed))))
 
-    # The client must ask the library for every function, by the version node that it had.
-    symbols = output_of("nm", "-D", "--undefined-only", "--with-symbol-versions", options.client)
-    asked = dict(re.findall(r"\bU (mgdt_\w+)@+(\w[\w.]*)", symbols))
+    # The clients must ask the library for every function, by the version node that it had.
+    asked = {}
+    for client in options.clients:
+        symbols = output_of("nm", "-D", "--undefined-only", "--with-symbol-versions", client)
+        asked.update(re.findall(r"\bU (mgdt_\w+)@+(\w[\w.]*)", symbols))
     functions = {name for kind, name in old if kind == "function"}
-    check("the client calls every function", " ".join(sorted(functions - set(asked))))
+    check("the clients call every function", " ".join(sorted(functions - set(asked))))
     check("by the version node of the release that had it first",
           " ".join(f"{n}@{node}" for n, node in asked.items() if node != nodes.get(n)))
-    run = subprocess.run([str(options.client)], capture_output=True, text=True)
+    run = subprocess.run([str(options.clients[-1])], capture_output=True, text=True)
     print(run.stdout, end="")
     check("the client gets the results of its time", run.stdout + run.stderr if run.returncode else "")
     check("and has compared some", "" if re.search(r"\b[1-9]\d+ checks, 0 failed", run.stdout) else run.stdout)
