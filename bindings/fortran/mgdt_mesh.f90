@@ -165,9 +165,7 @@ contains
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
 
-        status = mgdt_ok
-        if (.true.) &
-            status = c_mesh_set_progress(self%handle, c_null_funptr, c_null_ptr)
+        status = c_mesh_set_progress(self%handle, c_null_funptr, c_null_ptr)
         if (status == mgdt_ok .and. associated(self%progress)) deallocate (self%progress)
         call finish(self, 'remove_progress', status, stat, errmsg)
     end subroutine

@@ -27,7 +27,7 @@ subroutine mgmnew(icomm, h, ierr)
     call pack_handle(pointer, h, of_parts)
 end subroutine
 
-! Frees it and empties the handle.
+! Frees the triangulation and empties the handle.
 subroutine mgmfre(h, ierr)
     use mgdt_f77_support
     use mgdt_parts_c
@@ -37,10 +37,13 @@ subroutine mgmfre(h, ierr)
     type(c_ptr) :: pointer
 
     pointer = handle_of(h, of_parts)
+    ierr = mgdt_err_null_pointer
+    if (.not. c_associated(pointer)) return
+    ! In a subroutine that hears of progress nothing is freed, neither here nor by the library.
     ierr = c_parts_set_progress(pointer, c_null_funptr, c_null_ptr)
     if (ierr == mgdt_err_busy) return
     call c_parts_destroy(pointer)
-    call pack_handle(c_null_ptr, h, of_parts)
+    call pack_handle(c_null_ptr, h)
 end subroutine
 
 ! Takes this rank's points out, and the triangulation.
@@ -70,7 +73,7 @@ subroutine mgmopt(h, iopt, ival, ierr)
     ierr = c_parts_set_option(handle_of(h, of_parts), to_c(iopt), int(ival, c_int64_t))
 end subroutine
 
-! CALL SUB(FRAC, ICANC) hears of the build on this rank, as with MGPROG.
+! Subroutine SUB(FRAC, ICANC) hears of progress and may cancel.
 subroutine mgmprg(h, sub, ierr)
     use mgdt_f77_support
     use mgdt_parts_c
@@ -83,7 +86,7 @@ subroutine mgmprg(h, sub, ierr)
                                 transfer(c_funloc(sub), c_null_ptr))
 end subroutine
 
-! Nobody hears any more.
+! No progress any more.
 subroutine mgmnop(h, ierr)
     use mgdt_f77_support
     use mgdt_parts_c
@@ -262,17 +265,17 @@ subroutine mgmcan(h, ierr)
     ierr = c_parts_cancel(handle_of(h, of_parts))
 end subroutine
 
-! The message of the last failure, cut or padded with blanks.
+! Message of the last call that failed on the triangulation; blank if there was none.
 subroutine mgmerr(h, text, ierr)
     use mgdt_f77_support
     use mgdt_parts_c
-    use mgdt_support, only: text_of
     implicit none
     integer, intent(in) :: h(4)
     character(*), intent(inout) :: text
     integer, intent(out) :: ierr
     character(kind=c_char) :: buffer(256)
 
+    text = ' '
     ierr = c_parts_get_error(handle_of(h, of_parts), size(buffer, kind=c_int64_t), buffer)
     if (ierr == mgdt_ok) text = text_of(buffer)
 end subroutine

@@ -49,16 +49,17 @@ module mgdt_parts
         type(c_ptr) :: handle = c_null_ptr
         type(progress_box), pointer :: progress => null()
     contains
-        procedure :: create, adopt, is_created, destroy, clear, build, build_each, check, cancel
+        procedure :: create, adopt, clear, build, build_each, check, cancel, number
         procedure :: set_progress, remove_progress
         procedure, private :: set_option_i32, set_option_i64
         generic :: set_option => set_option_i32, set_option_i64
-        procedure :: get_option, number
+        procedure :: get_option
         procedure, private :: insert_1, insert_2, insert_ids_i32, insert_ids_i64
         generic :: insert => insert_1, insert_2, insert_ids_i32, insert_ids_i64
         procedure, private :: get_i32_1, get_i32_2, get_i64_1, get_i64_2
         generic :: get => get_i32_1, get_i32_2, get_i64_1, get_i64_2
         procedure :: get_coordinates
+        procedure :: is_created, destroy, c_handle
         procedure, private :: assign
         generic :: assignment(=) => assign
         final :: finalize
@@ -98,13 +99,6 @@ contains
         call self%adopt('create', handle, status, stat, errmsg)
     end subroutine
 
-    pure function is_created(self)
-        class(mgdt_parts_triangulation), intent(in) :: self
-        logical :: is_created
-
-        is_created = c_associated(self%handle)
-    end function
-
     ! Takes over a handle that C has made, as mgdt_parts_create_with_transport() does; the status is
     ! that of the call of C, and `procedure` is named where it failed.
     subroutine adopt(self, procedure, handle, status, stat, errmsg)
@@ -117,8 +111,7 @@ contains
         integer(c_int32_t) :: end_status
 
         if (self%is_created()) then
-            call report(procedure, int(mgdt_err_invalid_argument, c_int32_t), &
-                        'the triangulation is made already; destroy it first', stat, errmsg)
+            call refuse(procedure, 'the triangulation is made already; destroy it first', stat, errmsg)
             return
         end if
         end_status = status
@@ -130,7 +123,7 @@ contains
         call report(procedure, end_status, c_text(c_status_string(end_status)), stat, errmsg)
     end subroutine
 
-    ! Collective on ranks, unless MPI is finalised. In a callback of its own nothing is freed.
+    ! Frees everything. In a callback of its own nothing is freed.
     subroutine destroy(self)
         class(mgdt_parts_triangulation), intent(inout) :: self
 
@@ -146,6 +139,13 @@ contains
         call self%destroy()
     end subroutine
 
+    pure function is_created(self)
+        class(mgdt_parts_triangulation), intent(in) :: self
+        logical :: is_created
+
+        is_created = c_associated(self%handle)
+    end function
+
     ! Intrinsic assignment would leave two owners of one handle.
     subroutine assign(self, other)
         class(mgdt_parts_triangulation), intent(inout) :: self
@@ -157,6 +157,14 @@ contains
             error stop 1
         end if
     end subroutine
+
+    ! The handle, for C's functions; null if there is none. The triangulation still owns it.
+    function c_handle(self) result(handle)
+        class(mgdt_parts_triangulation), intent(in) :: self
+        type(c_ptr) :: handle
+
+        handle = self%handle
+    end function
 
     ! Takes the points of this process out, and the triangulation.
     subroutine clear(self, stat, errmsg)
@@ -234,45 +242,7 @@ contains
         stop_asked = merge(1_c_int32_t, 0_c_int32_t, cancel)
     end function
 
-    ! option is mgdt_parts_index_base, mgdt_parts_threads or mgdt_parts_memory_limit.
-    subroutine set_option_i32(self, option, value, stat, errmsg)
-        class(mgdt_parts_triangulation), intent(inout) :: self
-        integer, intent(in) :: option
-        integer(int32), intent(in) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call finish(self, 'set_option', &
-                    c_parts_set_option(self%handle, to_c(option), int(value, c_int64_t)), &
-                    stat, errmsg)
-    end subroutine
-
-    subroutine set_option_i64(self, option, value, stat, errmsg)
-        class(mgdt_parts_triangulation), intent(inout) :: self
-        integer, intent(in) :: option
-        integer(int64), intent(in) :: value
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-
-        call finish(self, 'set_option', &
-                    c_parts_set_option(self%handle, to_c(option), int(value, c_int64_t)), &
-                    stat, errmsg)
-    end subroutine
-
-    function get_option(self, option, stat, errmsg) result(value)
-        class(mgdt_parts_triangulation), intent(in) :: self
-        integer, intent(in) :: option
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(int64) :: value
-        integer(c_int32_t) :: status
-
-        value = 0
-        status = c_parts_get_option(self%handle, to_c(option), value)
-        call finish(self, 'get_option', status, stat, errmsg)
-    end function
-
-    ! Hears of the build on this process, and may stop all.
+    ! Hears of the calls that take long, and may stop them.
     subroutine set_progress(self, heard, stat, errmsg)
         class(mgdt_parts_triangulation), intent(inout) :: self
         procedure(mgdt_progress) :: heard
@@ -304,6 +274,46 @@ contains
         call finish(self, 'remove_progress', status, stat, errmsg)
     end subroutine
 
+    ! option is an mgdt_parts_ constant.
+    subroutine set_option_i32(self, option, value, stat, errmsg)
+        class(mgdt_parts_triangulation), intent(inout) :: self
+        integer, intent(in) :: option
+        integer(int32), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_parts_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call finish(self, 'set_option', status, stat, errmsg)
+    end subroutine
+
+    ! option is an mgdt_parts_ constant.
+    subroutine set_option_i64(self, option, value, stat, errmsg)
+        class(mgdt_parts_triangulation), intent(inout) :: self
+        integer, intent(in) :: option
+        integer(int64), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = c_parts_set_option(self%handle, to_c(option), int(value, c_int64_t))
+        call finish(self, 'set_option', status, stat, errmsg)
+    end subroutine
+
+    ! The value of an option.
+    function get_option(self, option, stat, errmsg) result(value)
+        class(mgdt_parts_triangulation), intent(in) :: self
+        integer, intent(in) :: option
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(int64) :: value
+        integer(c_int32_t) :: status
+
+        value = 0
+        status = c_parts_get_option(self%handle, to_c(option), value)
+        call finish(self, 'get_option', status, stat, errmsg)
+    end function
+
     ! Points of a part, xyz(3 n) or xyz(3, n).
     subroutine insert_1(self, xyz, stat, errmsg, part)
         class(mgdt_parts_triangulation), intent(inout) :: self
@@ -313,8 +323,7 @@ contains
         integer, intent(in), optional :: part
 
         if (mod(size(xyz, kind=int64), 3_int64) /= 0) then
-            call report('insert', int(mgdt_err_invalid_argument, c_int32_t), &
-                        'xyz has '//decimal(size(xyz, kind=int64))// &
+            call refuse('insert', 'xyz has '//decimal(size(xyz, kind=int64))// &
                         ' elements; they must be 3 a point', stat, errmsg)
         else
             call finish(self, 'insert', c_parts_insert_points(self%handle, number_of(part), &
@@ -363,8 +372,7 @@ contains
 
         allocate (long(size(ids)), stat=failed)
         if (failed /= 0) then
-            call report('insert', int(mgdt_err_out_of_memory, c_int32_t), 'out of memory', stat, &
-                        errmsg)
+            call no_memory('insert', stat, errmsg)
             return
         end if
         long(:) = ids
@@ -380,8 +388,7 @@ contains
 
         are = size(xyz, 1) == 3 .and. size(xyz, 2, kind=int64) == n
         if (are) return
-        call report('insert', int(mgdt_err_invalid_argument, c_int32_t), 'xyz has the extents '// &
-                    decimal(size(xyz, 1, kind=int64))//' and '// &
+        call refuse('insert', 'xyz has the extents '//decimal(size(xyz, 1, kind=int64))//' and '// &
                     decimal(size(xyz, 2, kind=int64))//'; they must be 3 and '//decimal(n), &
                     stat, errmsg)
     end function
@@ -436,7 +443,7 @@ contains
         integer :: failed
         integer(int64) :: i
 
-        if (.not. has_rows(self, array, stat, errmsg)) return
+        if (.not. has_rows(array, stat, errmsg)) return
         call get_all(self, array, part, .true., found, status)
         if (status == mgdt_ok) then
             if (allocated(values)) deallocate (values)
@@ -480,7 +487,7 @@ contains
         integer :: failed
         integer(int64) :: i
 
-        if (.not. has_rows(self, array, stat, errmsg)) return
+        if (.not. has_rows(array, stat, errmsg)) return
         call get_all(self, array, part, .false., found, status)
         if (status == mgdt_ok) then
             if (allocated(values)) deallocate (values)
@@ -519,17 +526,16 @@ contains
     end subroutine
 
     ! Whether the array has four numbers for each tetrahedron.
-    function has_rows(self, array, stat, errmsg) result(has)
-        class(mgdt_parts_triangulation), intent(in) :: self
+    function has_rows(array, stat, errmsg) result(has)
         integer, intent(in) :: array
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         logical :: has
+        integer(c_int32_t) :: columns, is_double
 
-        has = any(array == [mgdt_parts_corners, mgdt_parts_local_corners, mgdt_parts_neighbors])
-        if (.not. has) &
-            call finish(self, 'get', int(mgdt_err_invalid_argument, c_int32_t), stat, errmsg, &
-                        'the array has no four numbers a tetrahedron')
+        columns = 0
+        has = c_parts_array_info(to_c(array), columns, is_double) == mgdt_ok .and. columns == 4
+        if (.not. has) call refuse('get', 'the array has no four numbers a tetrahedron', stat, errmsg)
     end function
 
     ! The numbers of an array, which have to fit 32 bits where that is asked.
@@ -565,16 +571,32 @@ contains
         if (present(part)) number = to_c(part)
     end function
 
+    subroutine refuse(procedure, reason, stat, errmsg)
+        character(*), intent(in) :: procedure, reason
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(procedure, int(mgdt_err_invalid_argument, c_int32_t), reason, stat, errmsg)
+    end subroutine
+
+    subroutine no_memory(procedure, stat, errmsg)
+        character(*), intent(in) :: procedure
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(procedure, int(mgdt_err_out_of_memory, c_int32_t), &
+                    c_text(c_status_string(int(mgdt_err_out_of_memory, c_int32_t))), stat, errmsg)
+    end subroutine
+
     ! The end of a call.
-    subroutine finish(self, procedure, status, stat, errmsg, reason)
+    subroutine finish(self, procedure, status, stat, errmsg)
         class(mgdt_parts_triangulation), intent(in) :: self
         character(*), intent(in) :: procedure
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        character(*), intent(in), optional :: reason
 
-        call finish_on(self%handle, 'triangulation', c_parts_get_error, mgdt_err_index_range, procedure, status, stat, &
-                       errmsg, reason)
+        call finish_on(self%handle, 'triangulation', c_parts_get_error, mgdt_err_index_range, procedure, &
+                       status, stat, errmsg)
     end subroutine
 end module mgdt_parts

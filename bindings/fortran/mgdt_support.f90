@@ -126,9 +126,8 @@ contains
     end subroutine
 
     ! The end of every call on a handle of another kind, which get_error has messages of. `what` names
-    ! the object. The message is `reason` if it is there. The handle has none for the status
-    ! `not_of_handle`.
-    subroutine finish_on(handle, what, get_error, not_of_handle, procedure, status, stat, errmsg, reason)
+    ! the object. The handle has no message for the status `not_of_handle`.
+    subroutine finish_on(handle, what, get_error, not_of_handle, procedure, status, stat, errmsg)
         type(c_ptr), intent(in) :: handle
         character(*), intent(in) :: what, procedure
         procedure(c_get_message) :: get_error
@@ -136,14 +135,11 @@ contains
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        character(*), intent(in), optional :: reason
         character(:), allocatable :: message
 
         message = ''
         if (status == mgdt_err_null_pointer .and. .not. c_associated(handle)) then
             message = 'the '//what//' has not been created'
-        else if (present(reason)) then
-            message = reason
         else if (status /= mgdt_ok .and. status /= not_of_handle) then
             message = message_of(handle, get_error)
         end if
