@@ -17,7 +17,7 @@ from pathlib import Path
 
 # In the order of the menu.
 DOCUMENTS = ["README", "periodic", "mesh", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
-             "performance", "trust", "theory", "paper", "architecture", "glossary", "experiments", "security", "abi",
+             "performance", "trust", "theory", "paper", "architecture", "files", "glossary", "experiments", "security", "abi",
              "contributing", "changelog"]
 FENCE = re.compile(r"^ *(`{3,})(.*)$")
 CODE_SPAN = re.compile(r"(`+)(?!`)(.+?)(?<!`)\1(?!`)", re.DOTALL)

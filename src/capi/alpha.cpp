@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Alpha values, and the surfaces of alpha shapes.
 #include "dual/alpha.hpp"
 
 #include "capi/counts.hpp"

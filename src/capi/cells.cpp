@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Measures of Voronoi cells.
 #include "capi/cell_view.hpp"
 #include "capi/measure.hpp"
 #include "dual/measures.hpp"

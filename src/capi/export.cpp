@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Arrays of a triangulation: tetrahedra, neighbours, hull facets, edges, circumcentres, measures.
 #include "query/export.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The Gabriel graph and the minimum spanning tree.
 #include "query/graphs.hpp"
 
 #include "capi/counts.hpp"

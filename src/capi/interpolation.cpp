@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Interpolation, its weights, and gradients.
 #include "interpolation/interpolation.hpp"
 
 #include "capi/counts.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Creation and destruction of a triangulation.
 #include "capi/triangulation_handle.hpp"
 
 using namespace mgdt;

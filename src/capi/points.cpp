@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Insertion of points.
 #include "capi/counts.hpp"
 #include "capi/triangulation_handle.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Location, nearest vertices, segments through a triangulation, and its check.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

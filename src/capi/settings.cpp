@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The settings of a triangulation.
 #include "capi/triangulation_handle.hpp"
 #include "order/schemes.hpp"
 

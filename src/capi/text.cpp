@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Statistics, names and messages.
 #include <cstring>
 
 #include "capi/triangulation_handle.hpp"

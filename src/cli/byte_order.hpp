@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The byte order of the machine.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The interface of system.hpp on POSIX.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>

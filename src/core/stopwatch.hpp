@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The time that an operation takes, for a statistic.
 #pragma once
 
 #include <chrono>

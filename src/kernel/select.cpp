@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Chooses the kernel for the processor.
 #include <cstdlib>
 #include <cstring>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The default order scheme.
 #include "order/schemes.hpp"
 
 namespace mgdt {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme BRIO: random rounds of growing size.
 #include "order/curve_sort.hpp"
 #include "order/rounds.hpp"
 #include "order/schemes.hpp"

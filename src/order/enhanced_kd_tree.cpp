@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme of a kd-tree with a regular grid in each cell.
 #include <algorithm>
 
 #include "order/grid.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme along a Hilbert curve.
 #include "order/curve_sort.hpp"
 #include "order/schemes.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme that keeps the caller's order.
 #include "order/schemes.hpp"
 
 namespace mgdt {

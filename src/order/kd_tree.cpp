@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme of a kd-tree.
 #include <algorithm>
 
 #include "order/kd_partition.hpp"

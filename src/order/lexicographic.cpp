@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme by x, then y, then z.
 #include <cstring>
 
 #include "order/equal_runs.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme of regular grids within the cells of grids.
 #include <cstring>
 
 #include "order/curve_sort.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme that shuffles.
 #include "platform/random.hpp"
 
 #include <utility>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The order scheme along a path through a regular grid.
 #include "order/grid.hpp"
 #include "order/round_assignment.hpp"
 #include "order/schemes.hpp"

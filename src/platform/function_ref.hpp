@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+// A reference to a function object, which hides the type of the object.
 #pragma once
 
 namespace mgdt {
 
-// A reference to a function object, which hides the type of the object.
 template <class Signature>
 class FunctionRef;
 template <class... Arguments>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The orientation of four points.
 #include "predicates/determinants.hpp"
 #include "predicates/lattice.hpp"
 #include "predicates/native_integer.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The position of a point with respect to the circumsphere of a tetrahedron, without ties.
 #include "predicates/determinants.hpp"
 #include "predicates/lattice.hpp"
 #include "predicates/native_integer.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Writes circumcentres and the squares of radii for the caller.
 #include "parallel/watched_split.hpp"
 #include "predicates/circumcenter.hpp"
 #include "query/export.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The vertex nearest to a place.
 #include <algorithm>
 #include <cmath>
 

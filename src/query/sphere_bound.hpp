@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Whether a stored sphere is within its error bound, for the check.
 #pragma once
 
 #include "mesh/tetrahedron.hpp"

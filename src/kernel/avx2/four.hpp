@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What AVX2 has for vectors of four doubles.
 #pragma once
 
 #include "kernel/avx2/four_words.hpp"

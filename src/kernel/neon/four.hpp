@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What NEON has for vectors of four doubles.
 #pragma once
 
 #include "kernel/neon/four_words.hpp"
