@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints a document as it is installed: all documents in one folder, with links that lead to where the
-other files are installed. A link to a file that is not installed becomes plain text.
+"""Prints a document as it is installed: in the folders of docs, with links that lead to where the other
+files are installed. A link to a file that is not installed becomes plain text.
 
   installed.py SOURCE DOCUMENT DOCUMENTS INCLUDES BINDINGS [BINDING...]
 
@@ -19,16 +19,16 @@ class Places:
         self.documents, self.includes, self.bindings, self.installed = documents, includes, bindings, installed
 
     def of(self, path):
-        """Where a file of the source is when it is installed, seen from the documents; None if nowhere."""
+        """Where a file or a folder of the source is when it is installed; None if nowhere."""
         folder, _, rest = path.partition("/")
-        if path in ("LICENSE", "README.md"):
-            return path
+        if path in ("LICENSE", "README.md", "."):
+            return os.path.join(self.documents, path)
         if folder == "docs":
-            return rest
+            return os.path.join(self.documents, rest)
         if folder == "include":
-            return os.path.relpath(os.path.join(self.includes, rest), self.documents)
+            return os.path.join(self.includes, rest)
         if folder == "bindings" and rest.split("/")[0] in self.installed:
-            return os.path.relpath(os.path.join(self.bindings, rest), self.documents)
+            return os.path.join(self.bindings, rest)
         return None
 
 
@@ -42,6 +42,7 @@ def relink(text, folder, places):
         place = places.of(os.path.normpath(os.path.join(folder, target)))
         if place is None:
             return match.group("text")
+        place = os.path.relpath(place, places.of(folder))
         return f"{match.group('image')}[{match.group('text')}]({place}{'#' + section if section else ''})"
 
     # Code is left as it is: `[](double x)` is no link.

@@ -16,8 +16,9 @@ import sys
 from pathlib import Path
 
 # In the order of the menu.
+THEORY = ["predicates", "triangulation", "cells", "values", "domains", "boxes", "parts"]
 DOCUMENTS = ["README", "periodic", "mesh", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
-             "performance", "trust", "theory", "paper", "architecture", "files", "glossary", "experiments", "security", "abi",
+             "performance", "trust", "theory", *(f"theory/{name}" for name in THEORY), "paper", "architecture", "files", "glossary", "experiments", "security", "abi",
              "contributing", "changelog"]
 FENCE = re.compile(r"^ *(`{3,})(.*)$")
 CODE_SPAN = re.compile(r"(`+)(?!`)(.+?)(?<!`)\1(?!`)", re.DOTALL)
@@ -137,7 +138,8 @@ class Site:
         headers = sorted((self.source / "include" / "mgdt").rglob("*.h*"))
         headers += sorted((self.source / "src" / "mpi" / "include" / "mgdt").glob("*.h"))
         version = re.search(r"version: '(.*)'", (self.source / "meson.build").read_text()).group(1)
-        staged = [self.staged / f"{name}.md" for name in DOCUMENTS if (self.staged / f"{name}.md").exists()]
+        staged = [self.staged / f"{Path(name).name}.md" for name in DOCUMENTS
+                  if (self.staged / f"{Path(name).name}.md").exists()]
         settings = {
             "PROJECT_NAME": "mgdt", "PROJECT_NUMBER": version,
             "PROJECT_BRIEF": '"Exact 3D Delaunay triangulation of any set of points"',

@@ -60,6 +60,19 @@ def missing_sources(source, text):
                                               for end in ("", ".hpp", ".cpp")))
 
 
+def missing_sections(source):
+    """Sections of docs/theory.md that comments name and that no chapter has."""
+    titles = {title for chapter in (source / "docs" / "theory").glob("*.md")
+              for title in re.findall(r"^(?:#+ +|\*\*)(.*?)(?:$|\.?\*\*)", chapter.read_text(encoding="utf-8"), flags=re.M)}
+    named = set()
+    for folder in ("src", "include", "tests", "bindings"):
+        for path in (source / folder).rglob("*"):
+            if path.suffix in (".hpp", ".cpp", ".h", ".c"):
+                text = re.sub(r"\n\s*(?://|\*|#)\s*", " ", path.read_text(encoding="utf-8"))
+                named.update(re.findall(r'docs/theory\.md[,:]? "([^"]+)"', text))
+    return sorted(named - titles) if named else ["none is named"]
+
+
 def main():
     source, documents = Path(sys.argv[1]), [Path(p) for p in sys.argv[2:]]
     header = "".join((source / "include" / "mgdt" / name).read_text(encoding="utf-8")
@@ -67,6 +80,7 @@ def main():
     functions = set(re.findall(r"^MGDT_API\b[^;(]*?\b(mgdt_\w+)\s*\(", header, flags=re.M))
     all_headers = "".join(p.read_text(encoding="utf-8") for p in (source / "include" / "mgdt").glob("*.h"))
     known = set(re.findall(r"\b(?:mgdt|MGDT)_\w+\b", all_headers))
+    check("sections of theory.md that comments name", ", ".join(missing_sections(source)))
     check("the header has functions", "" if len(functions) >= 50 else str(len(functions)))
     for document in documents:
         name = document.relative_to(source)

@@ -251,7 +251,7 @@ def main():
 
 
 def documents_of(source):
-    return [source / "README.md", *sorted((source / "docs").glob("*.md"))]
+    return [source / "README.md", *sorted((source / "docs").glob("*.md")), *sorted((source / "docs" / "theory").glob("*.md"))]
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ def main():
         folder = Path(temporary) / "html"
         pages = {path.name: Page(path) for path in folder.glob("*.html")}
         check("links within it", "\n".join(broken_links(pages, folder)))
-        documents = {path.stem for path in (source / "docs").glob("*.md")}
+        documents = {path.stem for folder_ in ("docs", "docs/theory") for path in (source / folder_).glob("*.md")}
         check("a page for each document", " ".join(sorted(d for d in documents if f"page-{d}.html" not in pages)))
         header = (source / "include" / "mgdt" / "mgdt.h").read_text(encoding="utf-8")
         functions = re.findall(r"^MGDT_API [^;]*?(mgdt_\w+)\(", header, re.MULTILINE)

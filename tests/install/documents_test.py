@@ -25,11 +25,14 @@ def main():
     source, prefix, *bindings = sys.argv[1:]
     source, documents = Path(source), Path(prefix) / "share" / "doc" / "mgdt"
     check("the licence", "" if (documents / "LICENSE").read_bytes() == (source / "LICENSE").read_bytes() else "differs")
-    originals = {path.name: path for path in [source / "README.md", *(source / "docs").glob("*.md")]}
-    installed = {path.name for path in documents.glob("*.md")}
+    folders = ("", "theory")
+    originals = {path.name: path for folder in folders for path in (source / "docs" / folder).glob("*.md")}
+    originals["README.md"] = source / "README.md"
+    places = {path.name: path for folder in folders for path in (documents / folder).glob("*.md")}
+    installed = set(places)
     check("all documents", differences(set(originals), installed))
     for name in sorted(installed & set(originals)):
-        document = documents / name
+        document = places[name]
         check(f"links of {name}", " ".join(broken_links(document)))
         # The words stay, whatever becomes of the links.
         words = lambda path: re.sub(r"\]\([^)]*\)|[][]", "", path.read_text(encoding="utf-8"))
