@@ -8,8 +8,8 @@ namespace mgdt {
 Buffer<BoundaryEdge> sorted_edges(const Boundary& boundary, Allocator& allocator) {
     const std::size_t corners = boundary.triangles.size(), ends = boundary.segments.size();
     Buffer<BoundaryEdge> edges(allocator, corners + ends / 2);
-    const auto edge = [](std::uint32_t a, std::uint32_t b, std::uint32_t place) {
-        return BoundaryEdge{std::min(a, b), std::max(a, b), place};
+    const auto edge = [](std::uint32_t a, std::uint32_t b, std::uint32_t side) {
+        return BoundaryEdge{std::min(a, b), std::max(a, b), side};
     };
     for (std::size_t i = 0; i < corners; ++i) {
         const std::uint32_t* const v = boundary.triangles.begin() + i / 3 * 3;
@@ -30,7 +30,7 @@ Buffer<OpenEdge> open_edges(const Complex& complex, Allocator& allocator) {
                              !edges[i].has_ends_of(edges[i + 1]);
         if (!is_first || !is_last || edges[i].is_segment()) continue;
         found.push_back({{complex.point_of_number[edges[i].a], complex.point_of_number[edges[i].b]},
-                         complex.facet_of_triangle[edges[i].place / 3]});
+                         complex.facet_of_triangle[edges[i].side / 3]});
     }
     return found;
 }

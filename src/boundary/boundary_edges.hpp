@@ -8,15 +8,15 @@
 
 namespace mgdt {
 
-// An edge of a triangle, or a segment that the caller gave, whose `place` is `no_index`.
+// An edge of a triangle, or a segment that the caller gave, whose `side` is `no_index`.
 struct BoundaryEdge {
-    std::uint32_t a, b;   // the ends, a < b
-    std::uint32_t place;  // 3 times the triangle, plus the corner opposite the edge
+    std::uint32_t a, b;  // the ends, a < b
+    std::uint32_t side;  // 3 times the triangle, plus the corner opposite the edge
 
-    bool is_segment() const noexcept { return place == no_index; }
+    bool is_segment() const noexcept { return side == no_index; }
     bool has_ends_of(const BoundaryEdge& e) const noexcept { return a == e.a && b == e.b; }
     friend bool operator<(const BoundaryEdge& e, const BoundaryEdge& f) {
-        return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.place < f.place;
+        return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.side < f.side;
     }
 };
 

@@ -16,8 +16,8 @@ bool continue_each_other(const Boundary& boundary, const BoundaryEdge& one,
         return boundary.points.begin() + 3 * std::size_t{v};
     };
     const double *const a = point(one.a), *const b = point(one.b),
-                        *const c = point(boundary.triangles[one.place]),
-                        *const d = point(boundary.triangles[other.place]);
+                        *const c = point(boundary.triangles[one.side]),
+                        *const d = point(boundary.triangles[other.side]);
     return orientation(a, b, c, d) == 0 && side_of_edge(a, b, c, d) < 0;
 }
 
@@ -29,20 +29,20 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     const std::size_t triangles = boundary.triangles.size() / 3;
     const Buffer<BoundaryEdge> edges = sorted_edges(boundary, allocator);
     DisjointSets sets(allocator, triangles);
-    Buffer<std::uint32_t> on_border(allocator);  // places of edges that are segments
+    Buffer<std::uint32_t> on_border(allocator);  // sides that are segments
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i + 1;
         while (end < edges.size() && edges[end].has_ends_of(edges[i])) ++end;
         const bool joins = end - i == 2 && !edges[i + 1].is_segment() &&
-                           markers[edges[i].place / 3] == markers[edges[i + 1].place / 3] &&
+                           markers[edges[i].side / 3] == markers[edges[i + 1].side / 3] &&
                            continue_each_other(boundary, edges[i], edges[i + 1]);
         if (joins) {
-            sets.join(edges[i].place / 3, edges[i + 1].place / 3);
+            sets.join(edges[i].side / 3, edges[i + 1].side / 3);
         } else {
             result.segments.push_back(edges[i].a);
             result.segments.push_back(edges[i].b);
             for (std::size_t k = i; k < end; ++k)
-                if (!edges[k].is_segment()) on_border.push_back(edges[k].place);
+                if (!edges[k].is_segment()) on_border.push_back(edges[k].side);
         }
         i = end;
     }
@@ -56,11 +56,11 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
             result.of_triangle[t] = result.of_triangle[least];
         }
     }
-    for (const std::uint32_t place : on_border) {
-        PlanarFacets::Facet& facet = result.facets[result.of_triangle[place / 3]];
-        const std::uint32_t* const v = boundary.triangles.begin() + place / 3 * 3;
+    for (const std::uint32_t side : on_border) {
+        PlanarFacets::Facet& facet = result.facets[result.of_triangle[side / 3]];
+        const std::uint32_t* const v = boundary.triangles.begin() + side / 3 * 3;
         if (facet.corner[0] == no_index)
-            for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(place + 1 + k) % 3];
+            for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(side + 1 + k) % 3];
     }
     return result;
 }

@@ -10,21 +10,21 @@
 namespace mgdt {
 
 DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
-    // The number of binary places that coordinate i may have: that of a double of the magnitude of
-    // the larger end.
-    int places[3], zeros[3];
+    // The number of binary digits behind the point that coordinate i may have: that of a double of
+    // the magnitude of the larger end.
+    int digits[3], zeros[3];
     for (int i = 0; i < 3; ++i) {
         origin_[i] = static_cast<std::int64_t>(a[i]);
         step_[i] = static_cast<std::int64_t>(b[i]) - origin_[i];
         const double largest = std::max(std::fabs(a[i]), std::fabs(b[i]));
         constexpr int significant_bits = 53;
-        places[i] = RoundingGrid::places;
+        digits[i] = RoundingGrid::digits;
         if (largest > 0)
-            places[i] = std::min(places[i], significant_bits - 1 - std::ilogb(largest));
+            digits[i] = std::min(digits[i], significant_bits - 1 - std::ilogb(largest));
         zeros[i] = 0;
         if (step_[i] == 0) continue;
         while ((step_[i] >> zeros[i] & 1) == 0) ++zeros[i];
-        room_ = std::min(room_, places[i] + zeros[i]);
+        room_ = std::min(room_, digits[i] + zeros[i]);
     }
     assert(room_ > 0 && "the ends are not on the grid");
     for (int i = 0; i < 3; ++i) {

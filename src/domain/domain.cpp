@@ -220,9 +220,9 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     mesh.planar_facets = facets.facets.size();
 
     // A triangulation is too large for the stack.
-    Objects<Triangulation> place(allocator_, 1, &Allocator::allocate_from, &Allocator::release_to,
-                                 static_cast<void*>(&allocator_));
-    Triangulation& triangulation = place[0];
+    Objects<Triangulation> storage(allocator_, 1, &Allocator::allocate_from, &Allocator::release_to,
+                                   static_cast<void*>(&allocator_));
+    Triangulation& triangulation = storage[0];
     triangulation.settings().threads = settings_.threads;
     Buffer<double> points(allocator_);
     points.resize(complex.boundary.points.size());

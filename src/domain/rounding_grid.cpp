@@ -21,7 +21,7 @@ RoundingGrid::RoundingGrid(const Buffer<double>& coordinates, int bits) noexcept
 // Multiples of the step are at least the least double, 2^-1074.
 RoundingGrid::RoundingGrid(double largest, int bits) noexcept
     : bits_(bits),
-      exponent_(largest > 0 ? std::max(std::ilogb(largest) + 1 - bits, -1074 + places) : 0) {}
+      exponent_(largest > 0 ? std::max(std::ilogb(largest) + 1 - bits, -1074 + digits) : 0) {}
 
 double RoundingGrid::round(double x) const noexcept {
     // The largest multiple is below 2^bits, because 2^bits steps may be 2^1024, which is no double.

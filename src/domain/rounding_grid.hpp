@@ -16,8 +16,8 @@ class RoundingGrid {
     // enough points on segments.
     static constexpr int usual_bits = 36;
     static constexpr int least_bits = 24, most_bits = 44;
-    // Points of segments are multiples of 2^-places steps, which are doubles as well.
-    static constexpr int places = 36;
+    // Points of segments are multiples of 2^-digits steps, which are doubles as well.
+    static constexpr int digits = 36;
 
     // The grid for points with these coordinates.
     RoundingGrid(const Buffer<double>& coordinates, int bits) noexcept;

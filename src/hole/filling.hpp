@@ -60,7 +60,7 @@ class Filling {
         bool is_outside, is_closed;
     };
 
-    // The place in heads_ of the facets that begin with the vertices a and b: in a matrix of all
+    // The index in heads_ of the facets that begin with the vertices a and b: in a matrix of all
     // pairs, or in a hash table if there are many vertices.
     std::size_t head_of(Number a, Number b) const noexcept { return (a * stride_ + b) & mask_; }
     // The number of a facet in this orientation, or no_index. The least number comes first.

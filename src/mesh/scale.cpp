@@ -21,7 +21,7 @@ bool is_exact(const ExponentRange& range, int k) {
 }
 
 bool is_normal(const ExponentRange& range, int k) {
-    // The lowest bit of a normal double is 52 places below its highest.
+    // The lowest bit of a normal double is 52 binary digits below its highest.
     return is_exact(range, k) && range.highest + k < 150 && range.lowest_bit + 52 + k >= -150;
 }
 

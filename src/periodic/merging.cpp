@@ -29,7 +29,7 @@ class Cubes {
     void add(std::uint32_t point) {
         std::int64_t cube[3];
         find_cube(points_.begin() + 3 * std::size_t{point}, cube);
-        std::uint32_t& last = last_[place_of(cube)];
+        std::uint32_t& last = last_[slot_of(cube)];
         before_[point] = last;
         last = point;
     }
@@ -42,7 +42,7 @@ class Cubes {
             for (std::int64_t j = -1; j <= 1; ++j)
                 for (std::int64_t k = -1; k <= 1; ++k) {
                     const std::int64_t cube[3] = {around[0] + i, around[1] + j, around[2] + k};
-                    for (std::uint32_t p = last_[place_of(cube)]; p != no_index; p = before_[p])
+                    for (std::uint32_t p = last_[slot_of(cube)]; p != no_index; p = before_[p])
                         if (p < first && is_near(x, p)) first = p;
                 }
         return first;
@@ -53,7 +53,7 @@ class Cubes {
         for (unsigned c = 0; c < 3; ++c)
             cube[c] = static_cast<std::int64_t>(std::floor(x[c] / size_));
     }
-    std::size_t place_of(const std::int64_t (&cube)[3]) const {
+    std::size_t slot_of(const std::int64_t (&cube)[3]) const {
         std::uint64_t sum = 0;
         for (const std::int64_t c : cube) {
             sum = (sum ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u;

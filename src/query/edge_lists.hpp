@@ -117,7 +117,7 @@ class EdgeLists {
     // The total length of all lists.
     std::size_t size() const noexcept { return position_of_[Team::most]; }
 
-    // Calls write(key, place, others, size) for the list of each key, on several threads at the
+    // Calls write(key, position, others, size) for the list of each key, on several threads at the
     // same time. The list begins at position `position` of the concatenation of all lists.
     template <class Write>
     void write(Write write) const {

@@ -66,7 +66,7 @@ constexpr std::size_t large_array = std::size_t{1} << 20;
 // The prefetch distance, in records.
 constexpr std::size_t ahead = 32;
 
-// Writes the four values row(t, place) of each finite tetrahedron t at the position of its number,
+// Writes the four values row(t, k) of each finite tetrahedron t at the position of its number,
 // on all threads. Tetrahedra are read in the order of storage; canonical rows are written in
 // another order.
 template <bool with_spheres, class Int, class Indices, class Row>

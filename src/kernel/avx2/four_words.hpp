@@ -13,8 +13,8 @@ namespace mgdt {
 inline namespace MGDT_ISLAND {
 
 // The positions of four elements among four words.
-struct alignas(16) FourPlaces {
-    std::int32_t places[4];
+struct alignas(16) FourPositions {
+    std::int32_t order[4];
 };
 
 struct FourWords {
@@ -50,25 +50,25 @@ struct FourWords {
         return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(lanes)));
     }
     // (w0, w1, w2, w3) rotated by one position is (w1, w2, w3, w0).
-    template <int places>
+    template <int by>
     MGDT_ALWAYS_INLINE FourWords turned() const {
-        return FourWords(_mm_shuffle_epi32(lanes, 0xE4E4 >> 2 * places & 0xFF));
+        return FourWords(_mm_shuffle_epi32(lanes, 0xE4E4 >> 2 * by & 0xFF));
     }
     // The words at four positions.
-    MGDT_ALWAYS_INLINE FourWords at(const FourPlaces& four) const {
+    MGDT_ALWAYS_INLINE FourWords at(const FourPositions& four) const {
         return FourWords(
-            _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), load(four.places).lanes)));
+            _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), load(four.order).lanes)));
     }
     // (first, w0, w1, w2).
     MGDT_ALWAYS_INLINE FourWords behind(std::uint32_t first) const {
         return FourWords(_mm_or_si128(_mm_slli_si128(lanes, 4),
                                       _mm_cvtsi32_si128(static_cast<std::int32_t>(first))));
     }
-    MGDT_ALWAYS_INLINE FourWords operator>>(int places) const {
-        return FourWords(_mm_srli_epi32(lanes, places));
+    MGDT_ALWAYS_INLINE FourWords operator>>(int bits) const {
+        return FourWords(_mm_srli_epi32(lanes, bits));
     }
-    MGDT_ALWAYS_INLINE FourWords operator>>(std::uint32_t places) const {
-        return FourWords(_mm_srl_epi32(lanes, _mm_cvtsi32_si128(static_cast<int>(places))));
+    MGDT_ALWAYS_INLINE FourWords operator>>(std::uint32_t bits) const {
+        return FourWords(_mm_srl_epi32(lanes, _mm_cvtsi32_si128(static_cast<int>(bits))));
     }
     MGDT_ALWAYS_INLINE friend FourWords operator&(FourWords a, FourWords b) {
         return FourWords(_mm_and_si128(a.lanes, b.lanes));

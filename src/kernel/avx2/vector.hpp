@@ -65,8 +65,8 @@ struct FourIntegers {
     MGDT_ALWAYS_INLINE friend FourIntegers operator-(FourIntegers a, FourIntegers b) {
         return {_mm256_sub_epi64(a.lanes, b.lanes)};
     }
-    MGDT_ALWAYS_INLINE friend FourIntegers operator<<(FourIntegers a, int places) {
-        return {_mm256_slli_epi64(a.lanes, places)};
+    MGDT_ALWAYS_INLINE friend FourIntegers operator<<(FourIntegers a, int bits) {
+        return {_mm256_slli_epi64(a.lanes, bits)};
     }
     __m256i lanes;
 };
@@ -155,14 +155,14 @@ MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
 }
 
 // (v0, v1, v2, v3) rotated by one position is (v1, v2, v3, v0).
-template <int places>
+template <int by>
 MGDT_ALWAYS_INLINE Four turned(Four v) {
-    constexpr int order = 0xE4E4 >> 2 * places & 0xFF;
+    constexpr int order = 0xE4E4 >> 2 * by & 0xFF;
     return Four(_mm256_permute4x64_pd(v.lanes, order));
 }
-template <int places>
+template <int by>
 MGDT_ALWAYS_INLINE FourMask turned(FourMask v) {
-    return FourMask(turned<places>(Four(v.lanes)).lanes);
+    return FourMask(turned<by>(Four(v.lanes)).lanes);
 }
 // (a0, b1, c2, a3).
 MGDT_ALWAYS_INLINE Four diagonal(Four a, Four b, Four c) {

@@ -21,11 +21,11 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     const std::uint32_t is_in = (difference == zero).sign_bits();
     // Two entries with the same stamp differ only in bits below stamp_shift.
     const std::uint32_t has_stamp = ((difference >> MarkTable::stamp_shift) == zero).sign_bits();
-    const FourWords place = t & FourWords(marks.mask);
+    const FourWords position = t & FourWords(marks.mask);
     // Whether two of the four have the same position. Comparing (0 1 2 3) with (1 2 3 0) and (2 3 0
     // 1) covers all six pairs.
     const std::uint32_t is_shared =
-        ((place == place.turned<1>()) | (place == place.turned<2>())).sign_bits();
+        ((position == position.turned<1>()) | (position == position.turned<2>())).sign_bits();
     if (MGDT_UNLIKELY(((has_stamp & ~is_in & which) | is_shared) != 0))
         return put_one_by_one(marks, codes, which);
 

@@ -13,8 +13,8 @@ namespace mgdt {
 inline namespace MGDT_ISLAND {
 
 // The positions of four elements among four words, as positions of their bytes.
-struct alignas(16) FourPlaces {
-    constexpr FourPlaces(unsigned a, unsigned b, unsigned c, unsigned d) : bytes() {
+struct alignas(16) FourPositions {
+    constexpr FourPositions(unsigned a, unsigned b, unsigned c, unsigned d) : bytes() {
         const unsigned words[4] = {a, b, c, d};
         for (unsigned i = 0; i < 16; ++i)
             bytes[i] = static_cast<std::uint8_t>(4 * words[i / 4] + i % 4);
@@ -54,12 +54,12 @@ struct FourWords {
         return vaddvq_u32(vandq_u32(is_negative, uint32x4_t{1, 2, 4, 8}));
     }
     // (w0, w1, w2, w3) rotated by one position is (w1, w2, w3, w0).
-    template <int places>
+    template <int by>
     MGDT_ALWAYS_INLINE FourWords turned() const {
-        return FourWords(vextq_u32(lanes, lanes, places));
+        return FourWords(vextq_u32(lanes, lanes, by));
     }
     // The words at four positions.
-    MGDT_ALWAYS_INLINE FourWords at(const FourPlaces& four) const {
+    MGDT_ALWAYS_INLINE FourWords at(const FourPositions& four) const {
         return FourWords(
             vreinterpretq_u32_u8(vqtbl1q_u8(vreinterpretq_u8_u32(lanes), vld1q_u8(four.bytes))));
     }
@@ -67,11 +67,11 @@ struct FourWords {
     MGDT_ALWAYS_INLINE FourWords behind(std::uint32_t first) const {
         return FourWords(vextq_u32(vdupq_n_u32(first), lanes, 3));
     }
-    MGDT_ALWAYS_INLINE FourWords operator>>(int places) const {
-        return FourWords(vshlq_u32(lanes, vdupq_n_s32(-places)));
+    MGDT_ALWAYS_INLINE FourWords operator>>(int bits) const {
+        return FourWords(vshlq_u32(lanes, vdupq_n_s32(-bits)));
     }
-    MGDT_ALWAYS_INLINE FourWords operator>>(std::uint32_t places) const {
-        return *this >> static_cast<int>(places);
+    MGDT_ALWAYS_INLINE FourWords operator>>(std::uint32_t bits) const {
+        return *this >> static_cast<int>(bits);
     }
     MGDT_ALWAYS_INLINE friend FourWords operator&(FourWords a, FourWords b) {
         return FourWords(vandq_u32(a.lanes, b.lanes));

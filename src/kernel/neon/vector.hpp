@@ -73,8 +73,8 @@ struct FourIntegers {
     MGDT_ALWAYS_INLINE friend FourIntegers operator-(FourIntegers a, FourIntegers b) {
         return {vsubq_s64(a.low, b.low), vsubq_s64(a.high, b.high)};
     }
-    MGDT_ALWAYS_INLINE friend FourIntegers operator<<(FourIntegers a, int places) {
-        const int64x2_t by = vdupq_n_s64(places);
+    MGDT_ALWAYS_INLINE friend FourIntegers operator<<(FourIntegers a, int bits) {
+        const int64x2_t by = vdupq_n_s64(bits);
         return {vshlq_s64(a.low, by), vshlq_s64(a.high, by)};
     }
     int64x2_t low, high;
@@ -187,19 +187,19 @@ MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
 }
 
 // (v0, v1, v2, v3) rotated by one position is (v1, v2, v3, v0).
-template <int places>
+template <int by>
 MGDT_ALWAYS_INLINE Four turned(Four v) {
-    static_assert(places > 0 && places < 4);
-    if constexpr (places == 1)
+    static_assert(by > 0 && by < 4);
+    if constexpr (by == 1)
         return {vextq_f64(v.low, v.high, 1), vextq_f64(v.high, v.low, 1)};
-    else if constexpr (places == 2)
+    else if constexpr (by == 2)
         return {v.high, v.low};
     else
         return {vextq_f64(v.high, v.low, 1), vextq_f64(v.low, v.high, 1)};
 }
-template <int places>
+template <int by>
 MGDT_ALWAYS_INLINE FourMask turned(FourMask v) {
-    const Four t = turned<places>(Four(v.low, v.high));
+    const Four t = turned<by>(Four(v.low, v.high));
     return {vreinterpretq_u64_f64(t.low), vreinterpretq_u64_f64(t.high)};
 }
 // (a0, b1, c2, a3).
