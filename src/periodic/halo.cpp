@@ -3,24 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "kernel/circumsphere.hpp"
 #include "periodic/halo_round.hpp"
-#include "platform/hash.hpp"
 
 namespace mgdt {
 namespace {
-
-std::uint32_t hash_of(const Image& image) {
-    std::uint32_t of;
-    std::memcpy(&of, image.of, sizeof of);
-    return hash_of_words(std::uint64_t{image.point} << 32 | of);
-}
-
-bool are_equal(const Image& a, const Image& b) {
-    return a.point == b.point && std::equal(a.of, a.of + 3, b.of);
-}
 
 // The largest width of a shell, as a share of a vector.
 constexpr double widest_shell = 0.95;
@@ -32,11 +20,6 @@ void Halo::clear() noexcept {
     points_.reset();
     images_.reset();
     known_.reset();
-    basic_round_.reset();
-    candidate_cells_.reset();
-    candidates_.reset();
-    classes_.reset();
-    class_numbers_.reset();
     own_ = 0;
     rounds_ = 0;
 }
@@ -47,31 +30,6 @@ std::uint32_t Halo::number_of(const Image& image) const {
     const std::uint32_t number =
         known_.find(hash_of(image), [&](std::uint32_t i) { return are_equal(images_[i], image); });
     return number == no_index ? number : static_cast<std::uint32_t>(own_ + number);
-}
-
-// The number of a tetrahedron's class.
-std::uint32_t Halo::class_of(const Tetrahedron& tetrahedron) {
-    const Mesh& mesh = triangulation_->mesh();
-    Class its = {{}, 0, false};
-    for (unsigned i = 0; i < 4; ++i) {
-        const Image corner = image(mesh.vertices[tetrahedron.v[i]].index);
-        unsigned k = i;
-        for (; k > 0 && is_before(corner, its.corners[k - 1]); --k)
-            its.corners[k] = its.corners[k - 1];
-        its.corners[k] = corner;
-    }
-    std::uint32_t hash = 0;
-    const Multiples first = its.corners[0].multiples();
-    for (Image& corner : its.corners) {
-        corner = image_of(corner.point, corner.multiples() - first);
-        hash = hash_of_words(hash, hash_of(corner));
-    }
-    class_numbers_.reserve(classes_.size() + 1);
-    const std::uint32_t number = class_numbers_.number(hash ^ hash >> 15, [&](std::uint32_t i) {
-        return std::equal(its.corners, its.corners + 4, classes_[i].corners, are_equal);
-    });
-    if (number == classes_.size()) classes_.push_back(its);
-    return number;
 }
 
 // Adds an image to the list unless it is known. Returns whether it is new.
@@ -182,9 +140,7 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         triangulation_.emplace(nullptr, nullptr, nullptr);
     triangulation_->settings().threads = threads;
     if (own_ == 0) return;
-    basic_round_.resize(own_, 0u);
-    candidates_.clear();
-    candidate_cells_.make(grid.lattice().dimensions(), own_);
+    HaloSearch search(allocator_, grid.lattice().dimensions(), own_);
     add_first_halo();
     for (const Image& image : expected) add(image);
     // Reserves memory for the images of later rounds, which are usually few. Growing later would
@@ -197,7 +153,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         progress.enter(done, done + 0.8 * (1 - done));
         done += 0.8 * (1 - done);
         if (point_count() > first) insert(first, progress);
-        Round round(*this, std::size_t{8} << std::min(rounds_, 30u), progress.stop_request());
+        Round round(*this, search, std::size_t{8} << std::min(rounds_, 30u),
+                    progress.stop_request());
         const std::size_t known = point_count();
         // If the points do not span space but the infinite set does, the basic images of one point
         // suffice.
@@ -216,10 +173,6 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
     // An expected image may be the image of a point that equals another one.
     for (Image& image : images_) image.point = vertex_of(image.point);
     known_.reset();
-    candidate_cells_.reset();
-    candidates_.reset();
-    classes_.reset();
-    class_numbers_.reset();
 }
 
 }  // namespace mgdt

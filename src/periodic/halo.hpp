@@ -13,59 +13,17 @@
 #include <optional>
 
 #include "core/triangulation.hpp"
-#include "periodic/image_cells.hpp"
+#include "periodic/image.hpp"
 #include "periodic/image_grid.hpp"
-#include "periodic/point_tree.hpp"
 #include "platform/number_table.hpp"
 #include "platform/stage_progress.hpp"
 
 namespace mgdt {
 
-// The image of a point of the box: the point plus multiples of the lattice's basis.
-struct Image {
-    std::uint32_t point;
-    std::int8_t of[4];  // three multiples and 0
-
-    Multiples multiples() const { return {of[0], of[1], of[2]}; }
-};
-
-// The multiples are at most 127.
-inline Image image_of(std::uint32_t point, const Multiples& k) {
-    return {point,
-            {static_cast<std::int8_t>(k[0]), static_cast<std::int8_t>(k[1]),
-             static_cast<std::int8_t>(k[2]), 0}};
-}
-
-// A key that sorts images by point, and then by multiples.
-inline std::uint64_t order_of(const Image& image) {
-    const auto part = [&](unsigned c) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(image.of[c]) + 128);
-    };
-    return std::uint64_t{image.point} << 24 | part(0) << 16 | part(1) << 8 | part(2);
-}
-inline Image image_of_order(std::uint64_t order) {
-    const auto multiple = [&](unsigned shift) {
-        return static_cast<std::int32_t>(order >> shift & 0xFF) - 128;
-    };
-    return image_of(static_cast<std::uint32_t>(order >> 24),
-                    {multiple(16), multiple(8), multiple(0)});
-}
-inline bool is_before(const Image& a, const Image& b) {
-    return order_of(a) < order_of(b);
-}
-
 class Halo {
   public:
     explicit Halo(Allocator& allocator)
-        : allocator_(allocator),
-          points_(allocator),
-          images_(allocator),
-          known_(allocator),
-          basic_round_(allocator),
-          candidate_cells_(allocator),
-          candidates_(allocator),
-          classes_(allocator),
-          class_numbers_(allocator) {}
+        : allocator_(allocator), points_(allocator), images_(allocator), known_(allocator) {}
 
     // Triangulates the points and the halo that they need. The points are wrapped and on the grid,
     // three coordinates for each. `expected` lists the images of the first halo; any images may be
@@ -123,24 +81,8 @@ class Halo {
     Buffer<double> points_;
     Buffer<Image> images_;
     NumberTable known_;  // of images_
-    // For each point of the box, the round, counted from 1, in which its basic images were added:
-    // the images that bound the Voronoi cell of a lattice point. 0 if they were not added.
-    Buffer<std::uint32_t> basic_round_;
     // The widths of the shell, see shell().
     double shell_[3] = {};
-    // The points of the box that have images in the marked cells. Only their images may be needed.
-    ImageCells candidate_cells_;
-    PointTree candidates_;
-    // The classes of tetrahedra whose balls leave the shell. Two tetrahedra are of one class if a
-    // lattice translation moves one to the other. The memory is given back at the end of a build.
-    struct Class {
-        Image corners[4];     // sorted, and moved such that the multiples of the first are 0
-        std::uint32_t round;  // in which its ball was looked at, counted from 1; or 0
-        bool is_right;        // whether it is one of the infinite set's
-    };
-    std::uint32_t class_of(const Tetrahedron& tetrahedron);
-    Buffer<Class> classes_;
-    NumberTable class_numbers_;
     std::size_t own_ = 0;
     unsigned rounds_ = 0;
     bool passes_through_ = false;  // whether the triangulation uses the allocator

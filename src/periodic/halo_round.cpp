@@ -24,8 +24,10 @@ constexpr double nearest_range = 1.5;
 
 }  // namespace
 
-Halo::Round::Round(Halo& halo, std::size_t most_requests, const StopRequest& stop)
+Halo::Round::Round(Halo& halo, HaloSearch& search, std::size_t most_requests,
+                   const StopRequest& stop)
     : halo_(halo),
+      search_(search),
       mesh_(halo.triangulation_->mesh()),
       stop_(stop),
       balls_(halo.allocator_),
@@ -61,7 +63,7 @@ void Halo::Round::look_at_stars(std::size_t first) {
 }
 
 void Halo::Round::add_basic_images(std::uint32_t point) {
-    halo_.basic_round_[point] = halo_.rounds_ + 1;
+    search_.basic_round[point] = halo_.rounds_ + 1;
     const unsigned subsets = 1u << lattice().dimensions();
     for (unsigned subset = 1; subset < subsets; ++subset) {
         Multiples k = {};
@@ -76,8 +78,15 @@ void Halo::Round::find_images() {
     // If the class is not final, each tetrahedron of it needs its own images.
     balls_.clear();
     for (const Deferred& deferred : deferred_)
-        if (!halo_.classes_[deferred.of].is_right) queue(deferred.tetrahedron, deferred.of);
+        if (!search_.classes[deferred.of].is_right) queue(deferred.tetrahedron, deferred.of);
     find_in_balls();
+}
+
+std::uint32_t Halo::Round::class_of(const Tetrahedron& tetrahedron) {
+    const auto corner = [&](unsigned i) {
+        return halo_.image(mesh_.vertices[tetrahedron.v[i]].index);
+    };
+    return search_.classes.number_of({corner(0), corner(1), corner(2), corner(3)});
 }
 
 unsigned Halo::Round::find_own(const Tetrahedron& tetrahedron, std::uint32_t (&own)[4]) const {
@@ -93,8 +102,8 @@ void Halo::Round::look_at(TetId t) {
     if (tetrahedron.is_ghost()) return look_at_ghost(tetrahedron);
     std::uint32_t own[4] = {};
     if (find_own(tetrahedron, own) == 0) return;
-    const std::uint32_t of = halo_.class_of(tetrahedron);
-    Halo::Class& its_class = halo_.classes_[of];
+    const std::uint32_t of = class_of(tetrahedron);
+    TetrahedronClasses::Class& its_class = search_.classes[of];
     if (its_class.is_right) return;
     if (its_class.round == halo_.rounds_ + 1)
         deferred_.push_back({t, of});
@@ -128,7 +137,7 @@ bool Halo::Round::request_basic_images(const std::uint32_t* points, unsigned cou
 }
 
 bool Halo::Round::request_basic_images(std::uint32_t point) {
-    if (halo_.basic_round_[point] != 0) return halo_.basic_round_[point] <= halo_.rounds_;
+    if (search_.basic_round[point] != 0) return search_.basic_round[point] <= halo_.rounds_;
     if (requests_ < most_requests_) {
         ++requests_;
         add_basic_images(point);
@@ -206,7 +215,7 @@ void Halo::Round::find_in_balls() {
     collect_candidates();
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         stop_.poll_in_step(i);
-        halo_.classes_[balls_[i].of].is_right = find_in(balls_[i]);
+        search_.classes[balls_[i].of].is_right = find_in(balls_[i]);
     }
 }
 
@@ -234,7 +243,7 @@ void Halo::Round::each_range(const Ball& ball, const Visit& visit) const {
 }
 
 void Halo::Round::collect_candidates() {
-    ImageCells& cells = halo_.candidate_cells_;
+    ImageCells& cells = search_.candidate_cells;
     bool is_known = true;
     for (std::size_t i = 0; i < balls_.size() && is_known; ++i)
         each_range(balls_[i], [&](const double(&low)[3], const double(&high)[3]) {
@@ -245,15 +254,15 @@ void Halo::Round::collect_candidates() {
         each_range(ball,
                    [&](const double(&low)[3], const double(&high)[3]) { cells.add(low, high); });
     cells.mark();
-    halo_.candidates_.clear();
+    search_.candidates.clear();
     const bool are_different = halo_.triangulation_->vertex_count() == inserted_;
     for (std::uint32_t p = 0; p < halo_.own_; ++p) {
         double s[3];
         lattice().coordinates(halo_.point(p), s);
         const auto is_vertex = [&] { return are_different || halo_.vertex_of(p) == p; };
-        if (cells.has(s) && is_vertex()) halo_.candidates_.push(p, halo_.point(p));
+        if (cells.has(s) && is_vertex()) search_.candidates.push(p, halo_.point(p));
     }
-    halo_.candidates_.make(stop_);
+    search_.candidates.make(stop_);
 }
 
 template <class Visit>
@@ -287,7 +296,7 @@ bool Halo::Round::find_in(const Ball& ball) {
     each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
         const double before = least;
         std::uint32_t point = 0;
-        halo_.candidates_.search(power, least, point, [&](std::uint32_t maybe) {
+        search_.candidates.search(power, least, point, [&](std::uint32_t maybe) {
             unsure_.push_back(image_of(maybe, k));
         });
         if (least < before) deepest = image_of(point, k);

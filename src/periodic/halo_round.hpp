@@ -6,12 +6,36 @@
 #include <cmath>
 
 #include "periodic/halo.hpp"
+#include "periodic/image_cells.hpp"
+#include "periodic/point_tree.hpp"
+#include "periodic/tetrahedron_classes.hpp"
 
 namespace mgdt {
 
+// What the rounds of one construction share.
+struct HaloSearch {
+    HaloSearch(Allocator& allocator, unsigned dimensions, std::size_t points)
+        : basic_round(allocator),
+          candidate_cells(allocator),
+          candidates(allocator),
+          classes(allocator) {
+        basic_round.resize(points, 0u);
+        candidate_cells.make(dimensions, points);
+    }
+
+    // For each point of the box, the round, counted from 1, in which its basic images were added:
+    // the images that bound the Voronoi cell of a lattice point. 0 if they were not added.
+    Buffer<std::uint32_t> basic_round;
+    // The points of the box that have images in the marked cells. Only their images may be needed.
+    ImageCells candidate_cells;
+    PointTree candidates;
+    TetrahedronClasses classes;  // of tetrahedra whose balls leave the shell
+};
+
+// A round adds images to the halo and changes nothing else of it.
 class Halo::Round {
   public:
-    Round(Halo& halo, std::size_t most_requests, const StopRequest& stop);
+    Round(Halo& halo, HaloSearch& search, std::size_t most_requests, const StopRequest& stop);
 
     // Checks all ghosts, and all tetrahedra that have a point of the box as a corner and whose
     // balls leave the shell. Within the shell all images are known.
@@ -45,6 +69,7 @@ class Halo::Round {
         TetId tetrahedron;
         std::uint32_t of;
     };
+    std::uint32_t class_of(const Tetrahedron& tetrahedron);
     // Writes the corners that are points of the box. Returns their number.
     unsigned find_own(const Tetrahedron& tetrahedron, std::uint32_t (&own)[4]) const;
     // Checks a ghost, or a tetrahedron whose ball leaves the shell.
@@ -99,6 +124,7 @@ class Halo::Round {
     int side_of(const Ball& ball, std::uint32_t point, const Multiples& k) const;
 
     Halo& halo_;
+    HaloSearch& search_;
     const Mesh& mesh_;
     const StopRequest stop_;
     Buffer<Ball> balls_;
