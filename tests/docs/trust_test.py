@@ -13,15 +13,15 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from checks import check, finish
+from checks import check, differences, finish
 
 
-def promises(text):
-    """Rows of the first table: promise, commands, where."""
-    table = text.split("## Promises")[1].split("\n## ")[0]
+def rows_of(text, section):
+    """Rows of the tables of a section, without their headings."""
+    tables = text.split(f"\n## {section}\n")[1].split("\n## ")[0]
     rows = [[cell.strip() for cell in line.strip("|").split("|")]
-            for line in table.splitlines() if line.startswith("|")]
-    return rows[2:]
+            for line in tables.splitlines() if line.startswith("|")]
+    return [row for row in rows if row[0] != "subject" and not row[0].startswith("---")]
 
 
 def problem_of(command, source, known):
@@ -53,11 +53,13 @@ def main():
         tests = json.load(file)
     known = {test["name"] for test in tests} | {suite for test in tests for suite in test["suite"]}
     text = (source / "docs" / "trust.md").read_text(encoding="utf-8")
-    rows = promises(text)
-    check("there are promises", "" if len(rows) >= 15 else str(len(rows)))
-    for row in rows:
+    promises = [row[0] for row in rows_of(text, "Promises")]
+    tested = {row[0]: row for row in rows_of(text, "Tests of the promises")}
+    check("there are promises", "" if len(promises) >= 15 else str(len(promises)))
+    check("each has a row of tests", differences(set(promises), set(tested)))
+    for subject, row in tested.items():
         commands = re.findall(r"`([^`]+)`", row[1]) if len(row) == 3 else []
-        check(f"a command: {row[0]}", "" if commands and row[2] else "none")
+        check(f"a command: {subject}", "" if commands and row[2] else "none")
     for command in sorted(set(re.findall(r"`((?:meson test|sh) [^`]+)`", text))):
         check(command, problem_of(command, source, known))
     for path in sorted(set(re.findall(r"`((?:src|tests|docs|include)/[^`\s]*)`", text))):
