@@ -14,7 +14,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 from checks import check, finish
 
 # Documents that are to be read at one sitting.
-MOST_WORDS = {"architecture.md": 2000, "performance.md": 1800}
+MOST_WORDS = {"architecture.md": 2000, "performance.md": 2000}
 
 
 def headings(text):
