@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What the C headers cannot say of their functions, for the bindings that are generated from them: of
-mgdt.h here, of the others in parts.py."""
+mgdt.h here, of the others in a file for each."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The C interface as data: what a header declares, and what description.py, parts.py or voronoi.py adds."""
+"""The C interface as data: what a header declares, and what its description adds."""
 
 from __future__ import annotations
 
