@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../small.h"
+#include "../support/small.h"
 
 /* Counts; on failure prints the expression and where it stands, and goes on. Gives the outcome. */
 #define CHECK(condition) check_that((condition) ? 1 : 0, #condition, __FILE__, __LINE__)

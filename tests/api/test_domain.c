@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "check.h"
 
 /* A cube of size 4, the ends of a triangle inside of it, and points on both sides of the triangle,

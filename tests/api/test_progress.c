@@ -3,7 +3,7 @@
 #define _POSIX_C_SOURCE 200112L
 #include <stdlib.h>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "check.h"
 
 typedef struct {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../reproduction.h"
+#include "../support/reproduction.h"
 #include "check.h"
 
 /* Points 0, 1, ..., 7 an axis; with repeats. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "check.h"
 #include "keys.h"
 

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/points.hpp"
 #include "cli/point_sets/distributions.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"
@@ -30,7 +31,7 @@
 
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 using Traits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<
     CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Cgal = CGAL::Periodic_3_Delaunay_triangulation_3<Traits>;

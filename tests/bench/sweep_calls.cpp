@@ -28,13 +28,14 @@
 #include <string>
 #include <vector>
 
+#include "../support/points.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"
 #include "sweep_families.hpp"
 
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 
 struct Destroy {
     void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }

@@ -36,13 +36,14 @@
 #include <string>
 #include <vector>
 
+#include "../support/points.hpp"
 #include "measure.hpp"
 #include "mgdt/mgdt.h"
 #include "sweep_families.hpp"
 
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Compact = CGAL::Delaunay_triangulation_3<Kernel>;

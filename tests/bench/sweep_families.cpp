@@ -9,14 +9,15 @@
 #include <random>
 
 #include "../faults/degenerate_sets.hpp"
+#include "../support/points.hpp"
 #include "../unit/point_families.hpp"
 #include "cli/point_sets/distributions.hpp"
 
 namespace bench {
 namespace {
 
-using Points = std::vector<double>;
 using families::Random;
+using mgdt_tests::Points;
 
 constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();

@@ -12,12 +12,13 @@
 #include <fstream>
 #include <iterator>
 
+#include "../support/points.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 
 namespace mgdt::cli {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 using Indices = std::vector<MeshIndex>;
 
 class Directory {

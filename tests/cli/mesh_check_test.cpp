@@ -9,12 +9,15 @@
 #include <cmath>
 #include <random>
 
+#include "../support/points.hpp"
 #include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::lattice;
+using mgdt_tests::Points;
+using mgdt_tests::uniform;
 
 Reference reference_of(const Points& points) {
     TriangulationOptions options;
@@ -50,27 +53,8 @@ std::vector<std::string> defects(const Case& c) {
 
 using Names = std::vector<std::string>;
 
-Points random_points(std::size_t n) {
-    std::mt19937_64 random(7);
-    Points points(3 * n);
-    for (double& x : points) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return points;
-}
-
-Points lattice(int n) {
-    Points points;
-    for (int x = 0; x < n; ++x) {
-        for (int y = 0; y < n; ++y) {
-            for (int z = 0; z < n; ++z) {
-                points.insert(points.end(), {double(x), double(y), double(z)});
-            }
-        }
-    }
-    return points;
-}
-
 TEST(MeshCheck, AcceptsTheLibrary) {
-    for (const Points& points : {random_points(300), lattice(5), Points{}, Points{1, 2, 3},
+    for (const Points& points : {uniform(300), lattice(5), Points{}, Points{1, 2, 3},
                                  Points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}}) {
         const Case c(points);
         EXPECT_EQ(defects(c), Names{});
@@ -79,7 +63,7 @@ TEST(MeshCheck, AcceptsTheLibrary) {
 }
 
 TEST(MeshCheck, AcceptsDuplicatesUnderAnyNumber) {
-    Points points = random_points(50);
+    Points points = uniform(50);
     points.insert(points.end(), points.begin(), points.begin() + 3);
     Case c(points);
     for (MeshIndex& v : c.mesh.tetrahedra) {
@@ -101,7 +85,7 @@ TEST(MeshCheck, AcceptsOtherTies) {
 }
 
 TEST(MeshCheck, Orientation) {
-    Case c(random_points(100));
+    Case c(uniform(100));
     std::swap(c.tetrahedron(5)[0], c.tetrahedron(5)[1]);
     EXPECT_EQ(defects(c), Names{"orientation"});
     EXPECT_NE(c.report().findings[0].detail.find("number 5"), std::string::npos);
@@ -116,13 +100,13 @@ TEST(MeshCheck, FlatTetrahedron) {
 }
 
 TEST(MeshCheck, MissingTetrahedron) {
-    Case c(random_points(100));
+    Case c(uniform(100));
     c.mesh.tetrahedra.resize(c.mesh.tetrahedra.size() - 4);
     EXPECT_EQ(defects(c), Names{"hull"});
 }
 
 TEST(MeshCheck, RepeatedTetrahedron) {
-    Case c(random_points(100));
+    Case c(uniform(100));
     c.mesh.tetrahedra.insert(c.mesh.tetrahedra.end(), c.tetrahedron(0), c.tetrahedron(0) + 4);
     const Names found = defects(c);
     EXPECT_NE(std::find(found.begin(), found.end(), "facets"), found.end());
@@ -201,7 +185,7 @@ TEST(MeshCheck, UnusedPoint) {
 }
 
 TEST(MeshCheck, WrongNeighbour) {
-    Case c(random_points(30));
+    Case c(uniform(30));
     TriangulationOptions options;
     options.quiet = true;
     Triangulation t = make_triangulation(options);

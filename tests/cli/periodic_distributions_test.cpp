@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "cli/point_sets/distributions.hpp"
 #include "mgdt/mgdt.hpp"
 

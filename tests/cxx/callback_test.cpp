@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "random_points.hpp"
 
 using namespace cxx_test;

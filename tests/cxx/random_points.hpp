@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace cxx_test {
 

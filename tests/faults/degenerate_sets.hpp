@@ -10,9 +10,11 @@
 #include <random>
 #include <vector>
 
+#include "../support/points.hpp"
+
 namespace faults {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 using Random = std::mt19937_64;
 
 inline double uniform(Random& random) {

@@ -16,7 +16,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "../small.h"
+#include "../support/small.h"
 
 static int failures;
 

@@ -14,13 +14,14 @@
 #include <vector>
 
 #include "../property/handle.hpp"
+#include "../support/points.hpp"
 #include "capi/triangulation_handle.hpp"
 #include "faults.h"
 
 namespace faults {
 
+using mgdt_tests::Points;
 using property::Handle;
-using Points = std::vector<double>;
 using Numbers = std::vector<std::int64_t>;
 
 inline std::int64_t count(const Points& xyz) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../property/handle.hpp"
-#include "../small.h"
+#include "../support/small.h"
 #include "degenerate_sets.hpp"
 #include "mgdt/mgdt_domain.h"
 #include "mgdt/mgdt_parts.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "../reproduction.h"
+#include "../support/reproduction.h"
 #include "capi/triangulation_handle.hpp"
 #include "comparison.hpp"
 #include "counted_memory.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "../property/oracle.hpp"
-#include "../schemes.hpp"
+#include "../support/schemes.hpp"
 #include "exports.hpp"
 #include "points.hpp"
 

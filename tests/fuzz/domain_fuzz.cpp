@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../support/messages.hpp"
 #include "mgdt/mgdt_domain.h"
 #include "points.hpp"
 
@@ -46,13 +47,10 @@ class Handle {
     }
     // Checks the mesh of the last build.
     void check() const {
-        char message[256] = "";
-        const mgdt_status own = mgdt_mesh_check(m_);
-        mgdt_mesh_get_error(m_, sizeof message, message);
-        FUZZ_REQUIRE(own == MGDT_OK, message);
-        const mgdt_status compared = mgdt_domain_check(d_, m_);
-        mgdt_domain_get_error(d_, sizeof message, message);
-        FUZZ_REQUIRE(compared == MGDT_OK, message);
+        FUZZ_REQUIRE(mgdt_mesh_check(m_) == MGDT_OK,
+                     mgdt_tests::message_of(m_, mgdt_mesh_get_error));
+        FUZZ_REQUIRE(mgdt_domain_check(d_, m_) == MGDT_OK,
+                     mgdt_tests::message_of(d_, mgdt_domain_get_error));
     }
     // An array of the mesh; nothing if there is none.
     Integers array(std::int32_t key) const {

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "../support/messages.hpp"
 #include "input.hpp"
 #include "mgdt/mgdt.h"
 #include "mgdt/mgdt_voronoi.h"
@@ -19,11 +20,7 @@ namespace fuzz {
 
 using Indices = std::vector<std::int64_t>;
 
-inline std::string error_of(const mgdt_triangulation* t) {
-    char text[256] = "";
-    mgdt_get_error(t, sizeof text, text);
-    return text;
-}
+using mgdt_tests::error_of;
 
 // An array of exactly so many elements: the sanitizer sees a step beyond it. With a margin, values
 // that nothing may change stand on both sides, and are looked at.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/messages.hpp"
 #include "mgdt/mgdt_periodic.h"
 #include "points.hpp"
 
@@ -28,9 +29,7 @@ std::int64_t number(const mgdt_periodic* p, std::int32_t key) {
 }
 
 std::string message_of(const mgdt_periodic* p) {
-    char text[256] = "";
-    FUZZ_REQUIRE(mgdt_periodic_get_error(p, sizeof text, text) == MGDT_OK, "message");
-    return text;
+    return mgdt_tests::message_of(p, mgdt_periodic_get_error);
 }
 
 class Session {

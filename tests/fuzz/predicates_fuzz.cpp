@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "../property/oracle.hpp"
-#include "../reproduction.h"
+#include "../support/reproduction.h"
 #include "../unit/exact_reference.hpp"
 #include "points.hpp"
 #include "predicates/barycentric.hpp"

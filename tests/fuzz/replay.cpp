@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

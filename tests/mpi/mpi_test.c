@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../small.h"
+#include "../support/small.h"
 
 static int rank, ranks, failures;
 

@@ -12,8 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "../schemes.hpp"
-#include "../small.h"
+#include "../support/messages.hpp"
+#include "../support/schemes.hpp"
+#include "../support/small.h"
 #include "mgdt/mgdt.h"
 #include "mgdt/mgdt_voronoi.h"
 
@@ -30,11 +31,7 @@ inline Handle create() {
     return Handle(t);
 }
 
-inline std::string error_of(const mgdt_triangulation* t) {
-    char text[256] = "";
-    mgdt_get_error(t, sizeof text, text);
-    return text;
-}
+using mgdt_tests::error_of;
 
 // Inserts the points in batches that begin at the given positions (ascending, the first is 0).
 inline mgdt_status insert(mgdt_triangulation* t, const std::vector<double>& xyz,

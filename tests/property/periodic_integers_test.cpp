@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "mgdt/mgdt.hpp"
 #include "oracle.hpp"
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "handle.hpp"
 #include "mgdt/mgdt.hpp"
 

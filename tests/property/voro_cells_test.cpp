@@ -9,7 +9,7 @@
 #include <vector>
 #include <voro++/voro++.hh>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "cli/point_sets/distributions.hpp"
 #include "mgdt/mgdt.hpp"
 

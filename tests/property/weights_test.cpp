@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "../reproduction.h"
+#include "../support/reproduction.h"
 #include "handle.hpp"
 #include "rows.hpp"
 

@@ -12,7 +12,8 @@
 #include <set>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "mgdt/mgdt.hpp"
 #include "predicates/facet_sphere.hpp"
 #include "predicates/filter.hpp"
@@ -21,7 +22,10 @@ namespace mgdt {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Points = std::vector<double>;
+using mgdt_tests::lattice;
+using mgdt_tests::Points;
+using mgdt_tests::scaled;
+using mgdt_tests::uniform;
 struct V {
     Rational x[3];
     friend V operator-(const V& a, const V& b) {
@@ -118,27 +122,6 @@ class Definition {
     std::size_t attached_ = 0;
 };
 
-Points uniform(std::size_t n, double y_size = 1, double z_size = 1) {
-    std::mt19937_64 random(5);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    for (std::size_t i = 0; i < n; ++i) {
-        xyz[3 * i + 1] *= y_size;
-        xyz[3 * i + 2] *= z_size;
-    }
-    return xyz;
-}
-Points lattice(double size) {
-    Points xyz;
-    for (int i = 0; i < 27; ++i)
-        for (const int x : {i % 3, i / 3 % 3, i / 9}) xyz.push_back(size * x);
-    return xyz;
-}
-Points scaled(Points xyz, double by) {
-    for (double& x : xyz) x *= by;
-    return xyz;
-}
-
 std::vector<double> alphas_of(const Triangulation& t, std::int32_t dimension, std::size_t count) {
     std::vector<double> alphas(count);
     EXPECT_EQ(
@@ -196,10 +179,10 @@ void compare(const Points& xyz) {
 TEST(Alphas, AreThoseOfTheDefinition) {
     const std::size_t n = is_small() ? 8 : 30;
     compare(uniform(n));
-    compare(lattice(1));
-    compare(lattice(0x1p200));
-    compare(uniform(n, 1e-3, 1e-6));
-    compare(uniform(n, 1e-9, 1e-9));
+    compare(lattice(3));
+    compare(lattice(3, 0x1p200));
+    compare(uniform(n, 1, 1, 1e-3, 1e-6));
+    compare(uniform(n, 1, 1, 1e-9, 1e-9));
     compare(scaled(uniform(n), 1e-120));
     compare(scaled(uniform(n), 1e120));
 }

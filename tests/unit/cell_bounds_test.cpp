@@ -7,31 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "cells_and_rationals.hpp"
 
 namespace mgdt {
 namespace {
 
 using exact_cells::Rational;
-using Points = std::vector<double>;
+using mgdt_tests::lattice;
+using mgdt_tests::Points;
+using mgdt_tests::scaled;
+using mgdt_tests::uniform;
 
 struct Set {
     const char* name;
     Points xyz;
 };
-
-Points uniform(std::size_t n, double x_size = 1, double y_size = 1, double z_size = 1) {
-    std::mt19937_64 random(3);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    for (std::size_t i = 0; i < n; ++i) {
-        xyz[3 * i] *= x_size;
-        xyz[3 * i + 1] *= y_size;
-        xyz[3 * i + 2] *= z_size;
-    }
-    return xyz;
-}
 
 Points sphere(std::size_t n) {
     Points xyz = uniform(n);
@@ -48,18 +40,6 @@ Points sphere(std::size_t n) {
 Points clusters(std::size_t n, double size) {
     Points xyz = uniform(n);
     for (std::size_t i = 0; i < 3 * n; ++i) xyz[i] = xyz[i] * size + (i % 6 < 3 ? 0.25 : 0.75);
-    return xyz;
-}
-
-Points lattice() {
-    Points xyz;
-    for (int i = 0; i < 27; ++i)
-        for (const int x : {i % 3, i / 3 % 3, i / 9}) xyz.push_back(x);
-    return xyz;
-}
-
-Points scaled(Points xyz, double by) {
-    for (double& x : xyz) x *= by;
     return xyz;
 }
 
@@ -152,11 +132,11 @@ TEST(CornerBound, IsKeptAndTight) {
 }
 
 const Set sets[] = {{"uniform", uniform(20)},
-                    {"lattice", lattice()},
+                    {"lattice", lattice(3)},
                     {"sphere", sphere(20)},
-                    {"anisotropic", uniform(20, 1, 1e-3, 1e-6)},
-                    {"flat", uniform(20, 1, 1, 1e-12)},
-                    {"needle", uniform(20, 1, 1e-9, 1e-9)},
+                    {"anisotropic", uniform(20, 1, 1, 1e-3, 1e-6)},
+                    {"flat", uniform(20, 1, 1, 1, 1e-12)},
+                    {"needle", uniform(20, 1, 1, 1e-9, 1e-9)},
                     {"clusters", clusters(20, 1e-7)},
                     {"tiny", scaled(uniform(20), 1e-90)},
                     {"huge", scaled(uniform(20), 1e90)}};

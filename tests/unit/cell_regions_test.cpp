@@ -10,14 +10,15 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "cells_and_rationals.hpp"
 
 namespace mgdt {
 namespace {
 
 using exact_cells::Rational;
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 
 Points box(double half) {
     return {1, 0,  0, half, -1, 0, 0, half, 0, 1, 0,  half,

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "dual/measures.hpp"
 #include "exact_cells.hpp"

@@ -8,7 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "cells_and_rationals.hpp"
 #include "core/triangulation.hpp"
 #include "dual/exact_measures.hpp"
@@ -17,31 +18,16 @@
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::lattice;
+using mgdt_tests::Points;
+using mgdt_tests::uniform;
 const Points unit_box = {1, 0, 0, 1, -1, 0, 0, 0, 0, 1, 0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0};
-
-Points uniform(std::size_t n, double z_size = 1) {
-    std::mt19937_64 random(7);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    for (std::size_t i = 0; i < n; ++i) xyz[3 * i + 2] *= z_size;
-    return xyz;
-}
 
 // Rounded once.
 double sum(const Points& x) {
     Twofold all = {0, 0};
     for (const double v : x) all = all + Twofold{v, 0};
     return all.high;
-}
-
-Points lattice(int n) {
-    Points xyz;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            for (int k = 0; k < n; ++k)
-                for (const int x : {i, j, k}) xyz.push_back(x);
-    return xyz;
 }
 
 TEST(Cells, OfALatticeAreCubes) {
@@ -80,8 +66,9 @@ TEST(Cells, FillTheBox) {
         // As flat as that, circumcentres are far outside.
         Points flat_box = unit_box;
         flat_box[19] = 1e-7;
-        EXPECT_NEAR(sum(measures_of_cells(uniform(n, 1e-7), Measure::volume, flat_box)) * 1e7, 1,
-                    4e-16)
+        EXPECT_NEAR(
+            sum(measures_of_cells(uniform(n, 1, 1, 1, 1e-7), Measure::volume, flat_box)) * 1e7, 1,
+            4e-16)
             << n;
     }
 }
@@ -129,7 +116,7 @@ TEST(Cells, OfExtremeShapesAreFoundInShortNumbers) {
     for (const double z_size : {1e-6, 1e-15, 1e-100, 1e-300}) {
         Points planes = unit_box;
         planes[19] = planes[23] = z_size;
-        const Shares found = shares(uniform(n, z_size), planes);
+        const Shares found = shares(uniform(n, 1, 1, 1, z_size), planes);
         EXPECT_EQ(found.in_long, 0) << z_size;
         EXPECT_GT(found.in_short, 0) << z_size;
     }
@@ -178,7 +165,7 @@ TEST(Cells, WithManyNeighborsFillTheBox) {
 
 // Thin slabs, and exponents that are far apart.
 TEST(Cells, HaveTheSameBitsInWhateverOrderInAllStages) {
-    Points xyz = uniform(60, 1e-15), far = xyz;
+    Points xyz = uniform(60, 1, 1, 1, 1e-15), far = xyz;
     Points planes = unit_box;
     planes[19] = 1e-15;
     for (std::size_t i = 0; i < far.size(); ++i)

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../reproduction.h"
+#include "../support/reproduction.h"
 #include "exact_reference.hpp"
 #include "point_families.hpp"
 #include "predicates/differences.hpp"

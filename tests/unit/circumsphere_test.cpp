@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace mgdt {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "surfaces.hpp"
 
 namespace mgdt {

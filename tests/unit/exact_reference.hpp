@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace reference {
 

@@ -8,13 +8,14 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 
 struct Place {
     int x, y;

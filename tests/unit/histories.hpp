@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <set>
 
+#include "../support/limited_blocks.hpp"
 #include "surgery.hpp"
 #include "unwatched.hpp"
 
@@ -15,19 +15,7 @@ namespace mgdt {
 namespace histories {
 
 using namespace surgery;
-
-// As an allocator: so many blocks, then none.
-struct LimitedBlocks {
-    static inline std::size_t left = 0;
-    static void* alloc(std::size_t size, std::size_t align, void*) {
-        if (left == 0) return nullptr;
-        --left;
-        return ::operator new(size, std::align_val_t(align), std::nothrow);
-    }
-    static void release(void* p, std::size_t, std::size_t align, void*) {
-        ::operator delete(p, std::align_val_t(align));
-    }
-};
+using mgdt_tests::LimitedBlocks;
 
 inline std::unique_ptr<Triangulation> empty(unsigned threads = 1) {
     auto t = std::make_unique<Triangulation>(nullptr, nullptr, nullptr);

@@ -13,14 +13,15 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 using P = std::array<double, 3>;
 
 double dot(const P& a, const P& b) {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "predicates/circumcenter.hpp"
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
 #include "surgery.hpp"

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "predicates/bounded_numbers.hpp"
 
 namespace mgdt {

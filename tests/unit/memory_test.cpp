@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace mgdt {
 namespace {

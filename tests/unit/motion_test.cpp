@@ -172,7 +172,6 @@ TEST(MotionOfEqualPoints, OneByOne) {
 
 // Each allocation fails in turn: the points before have moved, the others have not.
 TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
-    std::size_t& left = LimitedBlocks::left;
     Random random(7);
     Points given = sphere(60, random, true);
     given.insert(given.end(), given.begin(), given.begin() + 90);  // repeats
@@ -180,8 +179,8 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     bool is_done = false;
     std::size_t failures = 0, within = 0;
     for (std::size_t allowed = 0; !is_done; ++allowed) {
-        left = 1000000;
-        Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+        LimitedBlocks blocks{1000000};
+        Triangulation t(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
         t.hooks().vertices_per_rebuild = 0;
         Points xyz = given, places = far;
         insert(t, xyz);
@@ -196,7 +195,7 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
         }
         t.shrink();
         std::string message;
-        left = allowed;
+        blocks.refuse_after(allowed);
         try {
             t.move(points, places.data());
             is_done = true;
@@ -207,7 +206,7 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
             message = error.message;
             ++failures;
         }
-        left = 1000000;
+        blocks.refuse_after(1000000);
         std::size_t done = 0;
         const auto is_at = [&](std::uint32_t i, const double* place) {
             const VertexId v = t.point_map()[i];

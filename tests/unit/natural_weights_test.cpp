@@ -13,7 +13,8 @@
 #include <set>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "exact_cells.hpp"
 #include "mesh/scale.hpp"
@@ -22,7 +23,8 @@
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
+using mgdt_tests::uniform;
 using Weights = std::map<std::uint32_t, double>;  // by point, none of them 0
 using Stage = NaturalWeights::Stage;
 
@@ -242,13 +244,6 @@ TEST(NaturalWeights, KnowTheRidgesOfTheHull) {
         set.find(natural);
         for (const auto& [point, w] : set.weights()) EXPECT_NEAR(w, .125, 1e-14) << point;
     }
-}
-
-Points uniform(std::size_t n, unsigned seed) {
-    std::mt19937_64 random(seed);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return xyz;
 }
 
 TEST(NaturalWeights, HaveTheSameBitsInWhateverOrder) {

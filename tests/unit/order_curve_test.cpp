@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Schemes without cells: input, random, lexicographic, curves and rounds.
-#include "../small.h"
+#include "../support/small.h"
 #include "order/round_assignment.hpp"
 #include "order/team_equal_runs.hpp"
 #include "order/team_radix.hpp"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every order scheme on every set.
+#include "../support/limited_blocks.hpp"
 #include "order_sets.hpp"
 
 namespace {
 
 using namespace order_test;
+using mgdt_tests::LimitedBlocks;
 
 class EveryScheme : public testing::TestWithParam<OrderScheme> {
   protected:
@@ -104,31 +106,14 @@ TEST_P(EveryScheme, DoesNotDependOnThePowerOfTwoOfTheUnit) {
     EXPECT_TRUE(schedule(point_set(small), number()) == schedule(xyz, number()));
 }
 
-struct Source {
-    long left;  // allocations until the source refuses
-    std::size_t blocks = 0;
-
-    static void* allocate(std::size_t size, std::size_t align, void* user) {
-        Source& source = *static_cast<Source*>(user);
-        if (source.left == 0) return nullptr;
-        --source.left;
-        ++source.blocks;
-        return ::operator new(size, std::align_val_t(align));
-    }
-    static void release(void* p, std::size_t, std::size_t align, void* user) {
-        --static_cast<Source*>(user)->blocks;
-        ::operator delete(p, std::align_val_t(align));
-    }
-};
-
 TEST_P(EveryScheme, UnwindsWhereverMemoryEnds) {
     for (const Coordinates& xyz : {uniform(1500), noisy_line(1500)}) {
         bool complete = false;
-        for (long allowed = 0; !complete; ++allowed) {
-            ASSERT_LT(allowed, 1000) << "never enough";
-            Source source{allowed};
+        for (std::size_t allowed = 0; !complete; ++allowed) {
+            ASSERT_LT(allowed, 1000u) << "never enough";
+            LimitedBlocks blocks{allowed};
             {
-                Allocator allocator(Source::allocate, Source::release, &source);
+                Allocator allocator(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
                 try {
                     expect_sound(schedule(point_set(xyz), number(), {}, &allocator),
                                  xyz.size() / 3);
@@ -137,7 +122,7 @@ TEST_P(EveryScheme, UnwindsWhereverMemoryEnds) {
                 }
                 EXPECT_EQ(allocator.bytes(), 0u);
             }
-            EXPECT_EQ(source.blocks, 0u);
+            EXPECT_EQ(blocks.held, 0u);
             EXPECT_TRUE(!complete || allowed > 0);
         }
     }

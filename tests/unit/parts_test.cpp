@@ -13,8 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "../aligned.h"
-#include "../small.h"
+#include "../support/aligned.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "parts/in_process.hpp"
 #include "predicates/predicates.hpp"
 #include "thread_transport.hpp"
@@ -23,7 +24,8 @@
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
+using mgdt_tests::uniform;
 using Tetrahedra = std::vector<std::array<std::int64_t, 4>>;  // sorted, by the caller's numbers
 
 Tetrahedra of_one(const Points& xyz) {
@@ -197,13 +199,6 @@ void expect_consistent(const Points& xyz, PartId parts) {
     one.insert(xyz.size() / 3, axis, 3);
     EXPECT_EQ(hull, one.mesh().ghost_count);
     EXPECT_EQ(vertices.size(), one.mesh().finite_count());
-}
-
-Points uniform(std::size_t n, unsigned seed = 1) {
-    std::mt19937_64 random(seed);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return xyz;
 }
 
 Points integers(std::size_t n, unsigned end, unsigned seed = 1) {

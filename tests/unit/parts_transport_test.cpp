@@ -12,12 +12,16 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/messages.hpp"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "mgdt/mgdt_parts.h"
 #include "thread_transport.hpp"
 
 namespace mgdt {
 namespace {
+
+using mgdt_tests::uniform;
 
 using Tetrahedra = std::vector<std::array<std::int64_t, 4>>;
 
@@ -135,9 +139,7 @@ std::vector<Outcome> in_processes(PartId processes,
             }
             Outcome& outcome = all[i];
             outcome.status = body(p, process);
-            char message[256];
-            mgdt_parts_get_error(p, sizeof message, message);
-            outcome.message = message;
+            outcome.message = mgdt_tests::message_of(p, mgdt_parts_get_error);
             if (outcome.status == MGDT_OK) {
                 std::int64_t vertices, tetrahedra, owned;
                 mgdt_parts_get_stat(p, MGDT_PARTS_THIS_PART, MGDT_PARTS_VERTICES, &vertices);
@@ -165,13 +167,6 @@ std::vector<Outcome> in_processes(PartId processes,
         });
     for (std::thread& t : threads) t.join();
     return all;
-}
-
-std::vector<double> uniform(std::size_t n) {
-    std::mt19937_64 random(11);
-    std::vector<double> xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return xyz;
 }
 
 Tetrahedra of_one(const std::vector<double>& xyz) {
@@ -259,9 +254,8 @@ TEST(PartsTransport, FailsTogether) {
                  EXPECT_EQ(insert_share(p, process, 3, xyz), MGDT_OK);
                  wrong(p, process);
                  const mgdt_status built = mgdt_parts_build(p);
-                 char text[256];
-                 mgdt_parts_get_error(p, sizeof text, text);
-                 EXPECT_NE(std::strstr(text, message), nullptr) << text;
+                 const std::string text = mgdt_tests::message_of(p, mgdt_parts_get_error);
+                 EXPECT_NE(text.find(message), std::string::npos) << text;
                  // Nothing is lost: without what was wrong it goes on.
                  mgdt_parts_set_progress(p, nullptr, nullptr);
                  mgdt_parts_set_option(p, MGDT_PARTS_INDEX_BASE, 0);

@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/limited_blocks.hpp"
+#include "../support/small.h"
 #include "periodic/image_prediction.hpp"
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_check.hpp"
@@ -21,6 +22,7 @@
 namespace mgdt {
 namespace {
 
+using mgdt_tests::LimitedBlocks;
 using Vectors = std::vector<double>;
 using Listing = std::vector<std::array<std::int64_t, 16>>;
 
@@ -267,37 +269,28 @@ TEST(Periodic, MemoryIsLimited) {
     expect_torus(built);
 }
 
-struct Refusal {
-    int left = 0;
-    static void* allocate(std::size_t bytes, std::size_t align, void* user) {
-        if (static_cast<Refusal*>(user)->left-- == 0) return nullptr;
-        return std::aligned_alloc(align, (bytes + align - 1) / align * align);
-    }
-    static void release(void* p, std::size_t, std::size_t, void*) { std::free(p); }
-};
-
 TEST(Periodic, RefusedAllocationsLeaveThePoints) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<double> points = points_in(cube, 60, 8);
     const auto expected = listing(Built(cube, points));
     int refused = 0;
-    for (int i = 0;; i += is_smallest() ? 5 : 1) {
-        Refusal refusal{1000000};
-        Periodic built(Refusal::allocate, Refusal::release, &refusal);
+    for (std::size_t i = 0;; i += is_smallest() ? 5 : 1) {
+        LimitedBlocks blocks{1000000, true};
+        Periodic built(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
         built.set_vectors(3, cube.data());
         built.insert(points.size() / 3, points.data());
-        refusal.left = i;
+        blocks.refuse_after(i);
         try {
             built.build();
             EXPECT_EQ(built.tetrahedra().size(), expected.size());
             VoronoiDiagram diagram(built.allocator());
             build_periodic_diagram(built, Unwatched(), diagram);
-            if (refusal.left >= 0) break;
+            if (blocks.refused == 0) break;
             continue;  // what was refused was not necessary
         } catch (const std::bad_alloc&) {
             ++refused;
         }
-        refusal.left = 1000000;
+        blocks.refuse_after(1000000);
         built.build();
         EXPECT_EQ(built.tetrahedra().size(), expected.size());
     }
@@ -397,23 +390,23 @@ TEST(Periodic, VoidsAtAFace) {
 TEST(Periodic, RefusedAllocationsInAPrediction) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<double> points = thin_sets()[1];
-    Refusal refusal{1000000};
-    Periodic built(Refusal::allocate, Refusal::release, &refusal);
+    LimitedBlocks blocks{1000000, true};
+    Periodic built(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
     built.set_vectors(3, cube.data());
     built.insert(points.size() / 3, points.data());
     int refused = 0;
-    for (int i = 0;; i += 1 + (is_small() ? i : i / 6)) {
-        refusal.left = i;
+    for (std::size_t i = 0;; i += 1 + (is_small() ? i : i / 6)) {
+        blocks.refuse_after(i);
         try {
             built.build();
-            if (refusal.left >= 0) break;
+            if (blocks.refused == 0) break;
         } catch (const std::bad_alloc&) {
             ++refused;
             EXPECT_FALSE(built.has_triangulation());
         }
     }
     EXPECT_GT(refused, is_small() ? 4 : 12);
-    refusal.left = 1000000;
+    blocks.refuse_after(1000000);
     EXPECT_TRUE(listing(built) == listing(Built(cube, points)));
 }
 

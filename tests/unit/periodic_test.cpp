@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "periodic/periodic_tetrahedra.hpp"
 #include "predicates/predicates.hpp"
 

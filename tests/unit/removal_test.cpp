@@ -226,10 +226,9 @@ TEST(RemovalOfHubs, TriangulatesTheOthersAnew) {
 
 // Where there is no memory for that they go one by one.
 TEST(RemovalOfHubs, IsPossibleInLittleMemory) {
-    std::size_t& left = LimitedBlocks::left;
-    left = 1000000;
+    LimitedBlocks blocks{1000000};
     const Points xyz = moment_curve(150);
-    Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+    Triangulation t(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
     insert(t, xyz);
     t.hooks().large_link = 1000;
     Buffer<std::uint32_t> points(t.allocator());
@@ -264,16 +263,17 @@ TEST(RemovalBudgets, EndNearTheTimeOfARebuild) {
 // As an allocator: asks for a stop when the coordinates of a large link are copied.
 struct StopAtLargeBlock {
     static inline Triangulation* asks = nullptr;
-    static void* alloc(std::size_t size, std::size_t align, void*) {
+    static void* take(std::size_t size, std::size_t align, void* user) {
         if (asks && size > 70000) asks->stop().set();
-        return ::operator new(size, std::align_val_t(align), std::nothrow);
+        return LimitedBlocks::take(size, align, user);
     }
 };
 
 TEST(RemovalOfHub, StopsWhileTheLinkIsTriangulated) {
     Random random(14);
     const Points xyz = sphere(3000, random, true);
-    Triangulation t(StopAtLargeBlock::alloc, LimitedBlocks::release, nullptr);
+    LimitedBlocks blocks{1000000};
+    Triangulation t(StopAtLargeBlock::take, LimitedBlocks::give_back, &blocks);
     insert(t, xyz);
     StopAtLargeBlock::asks = &t;
     std::string message;
@@ -312,22 +312,21 @@ TEST(RemovalAndProgress, WhatWasDoneBeforeACancellationStays) {
 
 // Each allocation fails in turn: the points before are out, the others are in.
 TEST(RemovalWithoutMemory, LeavesATriangulation) {
-    std::size_t& left = LimitedBlocks::left;
     Random random(7);
     Points xyz = sphere(60, random, true);
     xyz.insert(xyz.end(), xyz.begin(), xyz.begin() + 30);  // repeats
     bool is_done = false;
     std::size_t failures = 0;
     for (std::size_t allowed = 0; !is_done; ++allowed) {
-        left = 1000000;
-        Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+        LimitedBlocks blocks{1000000};
+        Triangulation t(LimitedBlocks::take, LimitedBlocks::give_back, &blocks);
         t.hooks().large_link = 20;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());
         points.reserve(40);
         for (std::uint32_t i = 30; i < 70; ++i) points.push_back(i);
         std::string message;
-        left = allowed;
+        blocks.refuse_after(allowed);
         try {
             t.remove(points);
             is_done = true;
@@ -338,7 +337,7 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
             message = error.message;
             ++failures;
         }
-        left = 1000000;
+        blocks.refuse_after(1000000);
         std::size_t out = 0;
         for (const std::uint32_t i : points) out += t.point_map()[i] == infinite_vertex;
         ASSERT_EQ(out == 40, is_done);

@@ -10,13 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "exact_cells.hpp"
 #include "mgdt/mgdt.hpp"
 #include "predicates/segment.hpp"
 
 namespace mgdt {
 namespace {
+
+using mgdt_tests::lattice;
 
 using exact_cells::cross;
 using exact_cells::dot;
@@ -147,16 +150,6 @@ class Walks {
     Triangulation triangulation_;
     std::vector<std::array<std::int64_t, 4>> tetrahedra_;
 };
-
-std::vector<double> lattice(int n) {
-    std::vector<double> xyz;
-    for (int i = 0; i < n * n * n; ++i) {
-        xyz.push_back(i % n);
-        xyz.push_back(i / n % n);
-        xyz.push_back(i / (n * n));
-    }
-    return xyz;
-}
 
 std::vector<double> uniform(std::size_t n, std::mt19937& random) {
     std::uniform_real_distribution<double> in(0, 1);

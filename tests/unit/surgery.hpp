@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -26,7 +27,8 @@
 namespace mgdt::surgery {
 
 using Random = std::mt19937_64;
-using Points = std::vector<double>;
+using mgdt_tests::lattice;
+using mgdt_tests::Points;
 using Quad = std::array<VertexId, 4>;
 
 inline double uniform(Random& random) {
@@ -40,13 +42,6 @@ inline std::size_t below(Random& random, std::size_t n) {
 inline Points uniform_points(std::size_t n, Random& random) {
     Points xyz(3 * n);
     for (double& x : xyz) x = uniform(random);
-    return xyz;
-}
-
-inline Points lattice(int n) {
-    Points xyz;
-    for (int i = 0; i < n * n * n; ++i)
-        for (const int k : {i % n, i / n % n, i / n / n}) xyz.push_back(k);
     return xyz;
 }
 

@@ -2,7 +2,7 @@
 // What a team makes is what one thread makes, whatever its size: lists by key, and schedules.
 #include <stdexcept>
 
-#include "../small.h"
+#include "../support/small.h"
 #include "order_sets.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "parallel/team_lists.hpp"

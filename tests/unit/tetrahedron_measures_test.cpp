@@ -12,7 +12,7 @@
 #include <functional>
 #include <random>
 
-#include "../small.h"
+#include "../support/small.h"
 
 namespace mgdt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "../aligned.h"
+#include "../support/aligned.h"
 
 namespace mgdt {
 namespace {

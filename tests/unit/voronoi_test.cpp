@@ -10,20 +10,15 @@
 #include <random>
 #include <set>
 
-#include "../small.h"
+#include "../support/points.hpp"
+#include "../support/small.h"
 #include "voronoi_and_rationals.hpp"
 
 namespace mgdt {
 namespace {
 
-using Points = std::vector<double>;
-
-Points uniform(std::size_t n, std::uint64_t seed) {
-    std::mt19937_64 engine(seed);
-    Points xyz(3 * n);
-    for (double& x : xyz) x = static_cast<double>(engine() >> 11) * 0x1p-53;
-    return xyz;
-}
+using mgdt_tests::Points;
+using mgdt_tests::uniform;
 
 Points box(double low, double high) {
     return {1, 0,  0, high, -1, 0, 0, -low, 0, 1, 0,  high,

@@ -12,9 +12,10 @@
 #include <thread>
 #include <vector>
 
-#include "../aligned.h"
-#include "../schemes.hpp"
-#include "../small.h"
+#include "../support/aligned.h"
+#include "../support/points.hpp"
+#include "../support/schemes.hpp"
+#include "../support/small.h"
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
 #include "query/check.hpp"
@@ -33,7 +34,7 @@ void pause() {
         std::this_thread::yield();
 }
 
-using Points = std::vector<double>;
+using mgdt_tests::Points;
 
 // A few points whose coordinates are drawn from a few values, or from many.
 Points random_points(std::mt19937_64& random, std::size_t n, unsigned values) {
