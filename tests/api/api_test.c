@@ -151,8 +151,10 @@ int main(void) {
                   {"busy", test_busy},
                   {"voronoi", test_voronoi},
                   {"domain", test_domain},
+                  {"domain_limits", test_domain_limits},
                   {"mesh", test_mesh},
-                  {"periodic", test_periodic}};
+                  {"periodic", test_periodic},
+                  {"periodic_limits", test_periodic_limits}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {
         const int passed_before = passed, failed_before = failed;

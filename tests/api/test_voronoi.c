@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../support/aligned.h"
+#include "../support/counting_allocator.h"
 #include "check.h"
 #include "keys.h"
 
@@ -324,68 +324,53 @@ static void memory_limit(void) {
     free(xyz);
 }
 
-/* An allocator that asks to cancel at one of its calls. */
-typedef struct {
-    mgdt_triangulation* t;
-    int64_t blocks, calls, cancel_at;
-} canceller;
-
-static void* allocate_or_cancel(size_t size, size_t align, void* user) {
-    canceller* const c = user;
-    void* const p = allocate_aligned(size, align);
-    if (++c->calls == c->cancel_at) mgdt_cancel(c->t);
-    if (p != NULL) ++c->blocks;
-    return p;
-}
-
-static void release(void* p, size_t size, size_t align, void* user) {
-    (void)size;
-    (void)align;
-    --((canceller*)user)->blocks;
-    free_aligned(p);
+static void cancel(void* t) {
+    mgdt_cancel(t);
 }
 
 /* A request stops the diagram wherever it comes, and nothing else. */
 static void cancelled(void) {
     double* const xyz = random_points(1500, 0, 4);
-    canceller c = {NULL, 0, 0, 0};
+    counting_allocator a = {0, 0, 0, 0, cancel, NULL};
+    mgdt_triangulation* t = NULL;
     mgdt_voronoi* v = NULL;
     int64_t before, all, stopped = 0, planes;
-    CHECK_EQUAL(mgdt_create_with_allocator(allocate_or_cancel, release, &c, &c.t), MGDT_OK);
-    CHECK_EQUAL(mgdt_insert_points(c.t, 1500, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_create_with_allocator(counted_allocate, counted_release, &a, &t), MGDT_OK);
+    a.on = t;
+    CHECK_EQUAL(mgdt_insert_points(t, 1500, xyz), MGDT_OK);
     for (planes = 0; planes <= 6; planes += 6) {
-        c.calls = 0;
-        c.cancel_at = 0;
-        v = diagram_of(c.t, planes, cube);
+        a.calls = 0;
+        a.act_at = 0;
+        v = diagram_of(t, planes, cube);
         mgdt_voronoi_destroy(v);
-        all = c.calls;
-        before = c.blocks;
-        for (c.cancel_at = 1; c.cancel_at <= all; c.cancel_at += 1 + all / 40) {
+        all = a.calls;
+        before = a.blocks;
+        for (a.act_at = 1; a.act_at <= all; a.act_at += 1 + all / 40) {
             mgdt_status status;
-            c.calls = 0;
-            status = mgdt_voronoi_create(c.t, planes, cube, &v);
+            a.calls = 0;
+            status = mgdt_voronoi_create(t, planes, cube, &v);
             CHECK(status == MGDT_OK || status == MGDT_ERR_CANCELLED);
             CHECK((status == MGDT_OK) == (v != NULL));
             if (status == MGDT_ERR_CANCELLED) {
                 ++stopped;
-                CHECK_ERROR(c.t, "cancelled");
+                CHECK_ERROR(t, "cancelled");
             }
             mgdt_voronoi_destroy(v);
-            CHECK_EQUAL(c.blocks, before);
+            CHECK_EQUAL(a.blocks, before);
         }
     }
     CHECK(stopped > 20);
-    c.cancel_at = 0;
+    a.act_at = 0;
     /* A request that comes before the call. */
-    CHECK_EQUAL(mgdt_cancel(c.t), MGDT_OK);
-    CHECK_EQUAL(mgdt_voronoi_create(c.t, 6, cube, &v), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_cancel(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_create(t, 6, cube, &v), MGDT_ERR_CANCELLED);
     CHECK(v == NULL);
-    v = diagram_of(c.t, 6, cube);
+    v = diagram_of(t, 6, cube);
     mgdt_voronoi_destroy(v);
-    CHECK_EQUAL(mgdt_insert_points(c.t, 10, xyz), MGDT_OK);
-    CHECK_EQUAL(mgdt_check(c.t, MGDT_CHECK_CANONICAL), MGDT_OK);
-    mgdt_destroy(c.t);
-    CHECK_EQUAL(c.blocks, 0);
+    CHECK_EQUAL(mgdt_insert_points(t, 10, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    mgdt_destroy(t);
+    CHECK_EQUAL(a.blocks, 0);
     free(xyz);
 }
 
