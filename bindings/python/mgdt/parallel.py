@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes
 import signal
 import threading
-from ctypes import c_int64, c_void_p
+from ctypes import c_int32, c_int64, c_void_p
 from functools import partial
 from typing import Any, Callable, Optional
 
@@ -218,12 +218,14 @@ class ParallelDelaunay:
         self._call("get_stat", _THIS_PART, CONSTANTS["number"][name], ctypes.byref(value))
         return value.value
 
-    def _array(self, name: str, columns: int = 1) -> Int64Array:
-        size = c_int64()
-        self._call("get_size", _THIS_PART, CONSTANTS["array"][name], ctypes.byref(size))
+    def _array(self, name: str) -> Int64Array:
+        key = CONSTANTS["array"][name]
+        columns, size = c_int32(), c_int64()
+        _function("array_info")(key, ctypes.byref(columns), None)
+        self._call("get_size", _THIS_PART, key, ctypes.byref(size))
         values = np.empty(size.value, np.int64)
-        self._call("get_array", _THIS_PART, CONSTANTS["array"][name], size.value, address(values))
-        return values if columns == 1 else values.reshape(-1, columns)
+        self._call("get_array", _THIS_PART, key, size.value, address(values))
+        return values if columns.value == 1 else values.reshape(-1, columns.value)
 
     @property
     def points(self) -> FloatArray:
@@ -245,12 +247,12 @@ class ParallelDelaunay:
     @property
     def simplices(self) -> Int64Array:
         """Four rows of `points` for each tetrahedron: those that the part owns, then others."""
-        return self._array("local_corners", 4)
+        return self._array("local_corners")
 
     @property
     def neighbors(self) -> Int64Array:
         """Four numbers of tetrahedra for each that the part owns, opposite its corners; -1: none."""
-        return self._array("neighbors", 4)
+        return self._array("neighbors")
 
     @property
     def vertex_numbers(self) -> Int64Array:

@@ -136,12 +136,13 @@ class Parts : public detail::Worker<detail::PartsCalls> {
         write(key, part, values.size(), values.data());
         return values;
     }
-    /** An array with four numbers per tetrahedron: corners, local_corners or neighbors.
+    /** An array with four numbers per tetrahedron, such as corners.
      *  @throw as array() */
     [[nodiscard]] std::vector<std::array<std::int64_t, 4>> rows(
         PartsArray key, std::int32_t part = this_part) const {
-        if (key != PartsArray::corners && key != PartsArray::local_corners &&
-            key != PartsArray::neighbors)
+        std::int32_t columns = 0;
+        if (mgdt_parts_array_info(static_cast<std::int32_t>(key), &columns, nullptr) != MGDT_OK ||
+            columns != 4)
             throw Error(MGDT_ERR_INVALID_ARGUMENT,
                         "the array does not have four numbers for each tetrahedron");
         std::vector<std::array<std::int64_t, 4>> values(size(key, part) / 4);
