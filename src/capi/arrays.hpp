@@ -156,11 +156,7 @@ void with_array(const std::tuple<Arrays...>& table, std::int32_t key, const F& f
     if (!is_found) fail(MGDT_ERR_UNKNOWN_KEY, "there is no array %d", static_cast<int>(key));
 }
 
-// For objects that always have results.
-inline constexpr auto no_requirement = [](const auto&) {};
-
-// The bodies of the functions that give the shape, the size and the elements of an array of an
-// object. require(object) throws if the object does not have results yet.
+// The body of a function that gives the shape of an array.
 template <class Table>
 mgdt_status array_info(const Table& table, std::int32_t key, std::int32_t* columns,
                        std::int32_t* is_double) noexcept {
@@ -180,17 +176,7 @@ mgdt_status array_info(const Table& table, std::int32_t key, std::int32_t* colum
     return status;
 }
 
-template <class Table, class Object, class Require>
-std::size_t size_of(const Table& table, const Object& object, std::int32_t key,
-                    const Require& require) {
-    std::size_t size = 0;
-    with_array(table, key, [&](const auto& array) {
-        require(object);
-        size = std::invoke(array.read, object).size();
-    });
-    return size;
-}
-
+// Writes the elements of an array of `object`. require(object) throws if there are none yet.
 template <class Value, class Table, class Object, class Require>
 void get_array(const Table& table, const Object& object, std::int32_t key, std::int64_t base,
                std::int64_t capacity, Value* values, const Require& require) {
@@ -207,6 +193,35 @@ void get_array(const Table& table, const Object& object, std::int32_t key, std::
             write(array, elements, base, values);
         }
     });
+}
+
+// The bodies of the functions that give the size and the elements of an array of a handle. See
+// entry_points.hpp for Results.
+template <class Results, class H>
+mgdt_status get_size(const H* h, std::int32_t key, std::int64_t* size,
+                     const char* name = __builtin_FUNCTION()) {
+    return guard(
+        h,
+        [&] {
+            require_pointer(size, "size");
+            with_array(Results::arrays, key, [&](const auto& array) {
+                Results::require(Results::of(h->object));
+                *size = static_cast<std::int64_t>(
+                    std::invoke(array.read, Results::of(h->object)).size());
+            });
+        },
+        name);
+}
+template <class Results, class Value, class H>
+mgdt_status get_elements(const H* h, std::int32_t key, std::int64_t capacity, Value* values,
+                         const char* name = __builtin_FUNCTION()) {
+    return guard(
+        h,
+        [&] {
+            get_array(Results::arrays, Results::of(h->object), key, h->object.settings().index_base,
+                      capacity, values, Results::require);
+        },
+        name);
 }
 
 }  // namespace mgdt

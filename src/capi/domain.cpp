@@ -2,11 +2,9 @@
 // Creation, options and input of a domain, and the calls that make its mesh.
 #include <algorithm>
 
-#include "capi/arrays.hpp"
 #include "capi/domain_handle.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/mesh_handle.hpp"
-#include "capi/options.hpp"
-#include "capi/statistics.hpp"
 #include "core/point_scan.hpp"
 
 using namespace mgdt;
@@ -158,57 +156,25 @@ constexpr auto arrays =
                     array<Element::number>(MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3, open_edges));
 
 }  // namespace of_domain
-template <class Value>
-mgdt_status get(const mgdt_domain* d, std::int32_t key, std::int64_t capacity, Value* values,
-                const char* name) {
-    return guard(
-        d,
-        [&] {
-            get_array(of_domain::arrays, d->object, key, d->object.settings().index_base, capacity,
-                      values, no_requirement);
-        },
-        name);
-}
+
+// See entry_points.hpp.
+struct DomainResults {
+    static constexpr const auto& statistics = of_domain::statistics;
+    static constexpr const auto& arrays = of_domain::arrays;
+    static const Domain& of(const Domain& object) { return object; }
+    static void require(const Domain&) {}
+};
 
 }  // namespace
 
-extern "C" mgdt_status mgdt_domain_create(mgdt_domain** out) {
-    return create_handle(out, nullptr, nullptr, nullptr);
-}
-
-extern "C" mgdt_status mgdt_domain_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
-                                                         void* user, mgdt_domain** out) {
-    return create_handle(out, alloc, release, user);
-}
-
-extern "C" void mgdt_domain_destroy(mgdt_domain* d) {
-    destroy_handle(d);
-}
+MGDT_LIFE(domain)
+MGDT_OPTIONS(domain, switches)
+MGDT_PROGRESS(domain)
+MGDT_RESULTS(domain, DomainResults)
+MGDT_MESSAGE(domain)
 
 extern "C" mgdt_status mgdt_domain_clear(mgdt_domain* d) {
     return guard(d, [&] { d->object.clear(); });
-}
-
-extern "C" mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int64_t value) {
-    return set_option(d, option, value, switches);
-}
-
-extern "C" mgdt_status mgdt_domain_get_option(const mgdt_domain* d, int32_t option,
-                                              int64_t* value) {
-    return get_option(d, option, value, switches);
-}
-
-extern "C" mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn fn, void* user) {
-    return set_progress(d, fn, user);
-}
-
-extern "C" mgdt_status mgdt_domain_get_progress(const mgdt_domain* d, mgdt_progress_fn* fn,
-                                                void** user) {
-    return get_progress(d, fn, user);
-}
-
-extern "C" mgdt_status mgdt_domain_cancel(mgdt_domain* d) {
-    return cancel(d);
 }
 
 extern "C" mgdt_status mgdt_domain_set_points(mgdt_domain* d, int64_t n, const double* xyz) {
@@ -263,34 +229,4 @@ extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* 
         const SecondHandle second(mesh);
         d->object.check(mesh->object.value, progress);
     });
-}
-
-extern "C" mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int64_t* value) {
-    return get_stat(d, d ? &d->object : nullptr, of_domain::statistics, key, value);
-}
-
-extern "C" mgdt_status mgdt_domain_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
-    return array_info(of_domain::arrays, array, columns, is_double);
-}
-
-extern "C" mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, int64_t* size) {
-    return guard(d, [&] {
-        require_pointer(size, "size");
-        *size =
-            static_cast<std::int64_t>(size_of(of_domain::arrays, d->object, array, no_requirement));
-    });
-}
-
-extern "C" mgdt_status mgdt_domain_get_array(const mgdt_domain* d, int32_t array, int64_t capacity,
-                                             int64_t* values) {
-    return get(d, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_domain_get_array_i32(const mgdt_domain* d, int32_t array,
-                                                 int64_t capacity, int32_t* values) {
-    return get(d, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_domain_get_error(const mgdt_domain* d, int64_t capacity, char* buffer) {
-    return get_message(d, capacity, buffer);
 }

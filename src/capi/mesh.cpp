@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The functions of a mesh.
-#include "capi/arrays.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/measure.hpp"
 #include "capi/mesh_handle.hpp"
-#include "capi/options.hpp"
-#include "capi/statistics.hpp"
 #include "domain/mesh_check.hpp"
 #include "domain/mesh_measures.hpp"
 #include "parallel/thread_count.hpp"
@@ -60,74 +58,25 @@ constexpr auto arrays = std::make_tuple(
     array<Element::real>(MGDT_MESH_ARRAY_STEINER_PARAMETERS, 1, &M::steiner_parameters));
 
 }  // namespace of_mesh
-template <class Value>
-mgdt_status get(const mgdt_mesh* m, std::int32_t key, std::int64_t capacity, Value* values,
-                const char* name) {
-    return guard(
-        m,
-        [&] {
-            get_array(of_mesh::arrays, m->object.value, key, m->object.settings().index_base,
-                      capacity, values, no_requirement);
-        },
-        name);
-}
+
+// See entry_points.hpp.
+struct MeshResults {
+    static constexpr const auto& statistics = of_mesh::statistics;
+    static constexpr const auto& arrays = of_mesh::arrays;
+    static const DomainMesh& of(const Result<DomainMesh>& object) { return object.value; }
+    static void require(const DomainMesh&) {}
+};
 
 }  // namespace
 
+MGDT_OPTIONS(mesh, {})
+MGDT_PROGRESS(mesh)
+MGDT_RESULTS(mesh, MeshResults)
+MGDT_DOUBLES(mesh, MeshResults)
+MGDT_MESSAGE(mesh)
+
 extern "C" void mgdt_mesh_destroy(mgdt_mesh* m) {
     destroy_handle(m);
-}
-
-extern "C" mgdt_status mgdt_mesh_set_option(mgdt_mesh* m, int32_t option, int64_t value) {
-    return set_option(m, option, value);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_option(const mgdt_mesh* m, int32_t option, int64_t* value) {
-    return get_option(m, option, value);
-}
-
-extern "C" mgdt_status mgdt_mesh_set_progress(mgdt_mesh* m, mgdt_progress_fn fn, void* user) {
-    return set_progress(m, fn, user);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_progress(const mgdt_mesh* m, mgdt_progress_fn* fn,
-                                              void** user) {
-    return get_progress(m, fn, user);
-}
-
-extern "C" mgdt_status mgdt_mesh_cancel(mgdt_mesh* m) {
-    return cancel(m);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_stat(const mgdt_mesh* m, int32_t key, int64_t* value) {
-    return get_stat(m, m ? &m->object : nullptr, of_mesh::statistics, key, value);
-}
-
-extern "C" mgdt_status mgdt_mesh_array_info(int32_t array, int32_t* columns, int32_t* is_double) {
-    return array_info(of_mesh::arrays, array, columns, is_double);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_size(const mgdt_mesh* m, int32_t array, int64_t* size) {
-    return guard(m, [&] {
-        require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(
-            size_of(of_mesh::arrays, m->object.value, array, no_requirement));
-    });
-}
-
-extern "C" mgdt_status mgdt_mesh_get_array(const mgdt_mesh* m, int32_t array, int64_t capacity,
-                                           int64_t* values) {
-    return get(m, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_array_i32(const mgdt_mesh* m, int32_t array, int64_t capacity,
-                                               int32_t* values) {
-    return get(m, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_mesh_get_doubles(const mgdt_mesh* m, int32_t array, int64_t capacity,
-                                             double* values) {
-    return get(m, array, capacity, values, __func__);
 }
 
 extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int32_t measure,
@@ -148,8 +97,4 @@ extern "C" mgdt_status mgdt_mesh_check(const mgdt_mesh* m) {
         const Result<DomainMesh>& mesh = m->object;
         check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator(), progress);
     });
-}
-
-extern "C" mgdt_status mgdt_mesh_get_error(const mgdt_mesh* m, int64_t capacity, char* buffer) {
-    return get_message(m, capacity, buffer);
 }

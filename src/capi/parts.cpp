@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "capi/options.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/parts_handle.hpp"
 #include "core/point_scan.hpp"
 #include "platform/callback.hpp"
@@ -162,6 +162,10 @@ const Switches<CallSettings> parts_switches = {
 
 }  // namespace
 
+MGDT_OPTIONS(parts, parts_switches)
+MGDT_PROGRESS(parts)
+MGDT_MESSAGE(parts)
+
 extern "C" mgdt_status mgdt_parts_create(int32_t parts, mgdt_parts** out) {
     return mgdt_parts_create_with_allocator(parts, nullptr, nullptr, nullptr, out);
 }
@@ -205,27 +209,6 @@ extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
             given.ids.reset();
         }
     });
-}
-
-extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_t value) {
-    return set_option(p, option, value, parts_switches);
-}
-
-extern "C" mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value) {
-    return get_option(p, option, value, parts_switches);
-}
-
-extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user) {
-    return set_progress(p, fn, user);
-}
-
-extern "C" mgdt_status mgdt_parts_get_progress(const mgdt_parts* p, mgdt_progress_fn* fn,
-                                               void** user) {
-    return get_progress(p, fn, user);
-}
-
-extern "C" mgdt_status mgdt_parts_cancel(mgdt_parts* p) {
-    return cancel(p);
 }
 
 extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64_t n,
@@ -284,8 +267,4 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
             p->object.triangulation->check(level, progress);
         });
     });
-}
-
-extern "C" mgdt_status mgdt_parts_get_error(const mgdt_parts* p, int64_t capacity, char* buffer) {
-    return get_message(p, capacity, buffer);
 }

@@ -181,7 +181,7 @@ extern "C" mgdt_status mgdt_parts_get_array(const mgdt_parts* p, int32_t part, i
                               [&](const auto&) { require_capacity(capacity, 0, "values"); });
         const View view(p->object, i);
         get_array(of_part::arrays, view, array, p->object.settings().index_base, capacity, values,
-                  no_requirement);
+                  [](const View&) {});
     });
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "capi/options.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/periodic_handle.hpp"
 #include "core/point_scan.hpp"
 #include "periodic/periodic_check.hpp"
@@ -73,19 +73,10 @@ void move(Periodic& p, std::int64_t n, const Int* points, const double* xyz) {
 
 }  // namespace
 
-extern "C" mgdt_status mgdt_periodic_create(mgdt_periodic** out) {
-    return create_handle(out, nullptr, nullptr, nullptr);
-}
-
-extern "C" mgdt_status mgdt_periodic_create_with_allocator(mgdt_alloc_fn alloc,
-                                                           mgdt_free_fn release, void* user,
-                                                           mgdt_periodic** out) {
-    return create_handle(out, alloc, release, user);
-}
-
-extern "C" void mgdt_periodic_destroy(mgdt_periodic* p) {
-    destroy_handle(p);
-}
+MGDT_LIFE(periodic)
+MGDT_OPTIONS(periodic, {})
+MGDT_PROGRESS(periodic)
+MGDT_MESSAGE(periodic)
 
 extern "C" mgdt_status mgdt_periodic_clear(mgdt_periodic* p) {
     return guard(p, [&] { p->object.clear(); });
@@ -94,15 +85,6 @@ extern "C" mgdt_status mgdt_periodic_clear(mgdt_periodic* p) {
 extern "C" mgdt_status mgdt_periodic_set_vectors(mgdt_periodic* p, int32_t dimensions,
                                                  const double* vectors) {
     return guard(p, [&] { set_vectors(p->object, dimensions, vectors); });
-}
-
-extern "C" mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, int64_t value) {
-    return set_option(p, option, value);
-}
-
-extern "C" mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t option,
-                                                int64_t* value) {
-    return get_option(p, option, value);
 }
 
 extern "C" mgdt_status mgdt_periodic_set_merge_distance(mgdt_periodic* p, double distance) {
@@ -119,20 +101,6 @@ extern "C" mgdt_status mgdt_periodic_get_merge_distance(const mgdt_periodic* p, 
         require_pointer(distance, "distance");
         *distance = p->object.settings().merge_distance;
     });
-}
-
-extern "C" mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_fn fn,
-                                                  void* user) {
-    return set_progress(p, fn, user);
-}
-
-extern "C" mgdt_status mgdt_periodic_get_progress(const mgdt_periodic* p, mgdt_progress_fn* fn,
-                                                  void** user) {
-    return get_progress(p, fn, user);
-}
-
-extern "C" mgdt_status mgdt_periodic_cancel(mgdt_periodic* p) {
-    return cancel(p);
 }
 
 extern "C" mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, const double* xyz) {
@@ -158,9 +126,4 @@ extern "C" mgdt_status mgdt_periodic_check(const mgdt_periodic* p) {
         require_triangulation(p->object);
         check_periodic(p->object, progress);
     });
-}
-
-extern "C" mgdt_status mgdt_periodic_get_error(const mgdt_periodic* p, int64_t capacity,
-                                               char* buffer) {
-    return get_message(p, capacity, buffer);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The numbers and arrays of a periodic box, and its Voronoi cells.
-#include "capi/arrays.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/measure.hpp"
 #include "capi/periodic_handle.hpp"
-#include "capi/statistics.hpp"
 #include "capi/voronoi_handle.hpp"
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_diagram.hpp"
@@ -146,17 +145,14 @@ constexpr auto arrays = std::make_tuple(
     array<Element::real>(MGDT_PERIODIC_ARRAY_VECTORS, 3, vectors));
 
 }  // namespace of_box
-template <class Value>
-mgdt_status get(const mgdt_periodic* p, std::int32_t key, std::int64_t capacity, Value* values,
-                const char* name) {
-    return guard(
-        p,
-        [&] {
-            get_array(of_box::arrays, p->object, key, p->object.settings().index_base, capacity,
-                      values, require_triangulation);
-        },
-        name);
-}
+
+// See entry_points.hpp.
+struct BoxResults {
+    static constexpr const auto& statistics = of_box::statistics;
+    static constexpr const auto& arrays = of_box::arrays;
+    static const Periodic& of(const Periodic& object) { return object; }
+    static void require(const Periodic& box) { require_triangulation(box); }
+};
 
 void require_cells(const Periodic& p) {
     require_triangulation(p);
@@ -177,38 +173,8 @@ void get_measures(const Periodic& p, std::int32_t measure, std::int64_t capacity
 
 }  // namespace
 
-extern "C" mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key, int64_t* value) {
-    return get_stat(p, p ? &p->object : nullptr, of_box::statistics, key, value);
-}
-
-extern "C" mgdt_status mgdt_periodic_array_info(int32_t array, int32_t* columns,
-                                                int32_t* is_double) {
-    return array_info(of_box::arrays, array, columns, is_double);
-}
-
-extern "C" mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t array,
-                                              int64_t* size) {
-    return guard(p, [&] {
-        require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(
-            size_of(of_box::arrays, p->object, array, require_triangulation));
-    });
-}
-
-extern "C" mgdt_status mgdt_periodic_get_array(const mgdt_periodic* p, int32_t array,
-                                               int64_t capacity, int64_t* values) {
-    return get(p, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_periodic_get_array_i32(const mgdt_periodic* p, int32_t array,
-                                                   int64_t capacity, int32_t* values) {
-    return get(p, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_periodic_get_doubles(const mgdt_periodic* p, int32_t array,
-                                                 int64_t capacity, double* values) {
-    return get(p, array, capacity, values, __func__);
-}
+MGDT_RESULTS(periodic, BoxResults)
+MGDT_DOUBLES(periodic, BoxResults)
 
 extern "C" mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int32_t measure,
                                                        int64_t capacity, double* x) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Creation of a Voronoi diagram, and its arrays.
-#include "capi/arrays.hpp"
 #include "capi/cell_view.hpp"
-#include "capi/statistics.hpp"
+#include "capi/entry_points.hpp"
 #include "capi/voronoi_handle.hpp"
 
 using namespace mgdt;
@@ -104,19 +103,20 @@ constexpr auto arrays = std::make_tuple(
     array<Element::real>(MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES, 1, cell_neighbor_distances));
 
 }  // namespace of_diagram
-template <class Value>
-mgdt_status get(const mgdt_voronoi* v, std::int32_t key, std::int64_t capacity, Value* values,
-                const char* name) {
-    return guard(
-        v,
-        [&] {
-            get_array(of_diagram::arrays, v->object.value, key, v->object.settings().index_base,
-                      capacity, values, no_requirement);
-        },
-        name);
-}
+
+// See entry_points.hpp.
+struct DiagramResults {
+    static constexpr const auto& statistics = of_diagram::statistics;
+    static constexpr const auto& arrays = of_diagram::arrays;
+    static const VoronoiDiagram& of(const Result<VoronoiDiagram>& object) { return object.value; }
+    static void require(const VoronoiDiagram&) {}
+};
 
 }  // namespace
+
+MGDT_RESULTS(voronoi, DiagramResults)
+MGDT_DOUBLES(voronoi, DiagramResults)
+MGDT_MESSAGE(voronoi)
 
 extern "C" mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_planes,
                                            const double* planes, mgdt_voronoi** out) {
@@ -136,38 +136,6 @@ extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {
     destroy_handle(v);
 }
 
-extern "C" mgdt_status mgdt_voronoi_get_stat(const mgdt_voronoi* v, int32_t key, int64_t* value) {
-    return get_stat(v, v ? &v->object : nullptr, of_diagram::statistics, key, value);
-}
-
-extern "C" mgdt_status mgdt_voronoi_array_info(int32_t array, int32_t* columns,
-                                               int32_t* is_double) {
-    return array_info(of_diagram::arrays, array, columns, is_double);
-}
-
-extern "C" mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size) {
-    return guard(v, [&] {
-        require_pointer(size, "size");
-        *size = static_cast<std::int64_t>(
-            size_of(of_diagram::arrays, v->object.value, array, no_requirement));
-    });
-}
-
-extern "C" mgdt_status mgdt_voronoi_get_array(const mgdt_voronoi* v, int32_t array,
-                                              int64_t capacity, int64_t* values) {
-    return get(v, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_voronoi_get_array_i32(const mgdt_voronoi* v, int32_t array,
-                                                  int64_t capacity, int32_t* values) {
-    return get(v, array, capacity, values, __func__);
-}
-
-extern "C" mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t array,
-                                                int64_t capacity, double* values) {
-    return get(v, array, capacity, values, __func__);
-}
-
 extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double least_area,
                                                      double least_share) {
     return guard(v, [&] {
@@ -180,9 +148,4 @@ extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double lea
                  least_share);
         drop_small_faces(v->object.value, least_area, least_share);
     });
-}
-
-extern "C" mgdt_status mgdt_voronoi_get_error(const mgdt_voronoi* v, int64_t capacity,
-                                              char* buffer) {
-    return get_message(v, capacity, buffer);
 }
