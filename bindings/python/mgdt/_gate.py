@@ -2,8 +2,8 @@
 """Many readers or one writer: the library's thread rule, kept for the user. And long reading.
 
 Python runs signal handlers in the main thread, between bytecodes, so none run during a call of the
-library. The library cannot stop a call that reads. So the main thread leaves a long one
-to a thread of its own, and waits on a queue, which signals do interrupt. What a handler raises goes
+library. The library can stop all calls that read a handle, but not one of them. So the main thread
+leaves a long one to a thread of its own, and waits on a queue, which signals do interrupt. What a handler raises goes
 on to the user at once. The call goes on to its end, as a reader like any other: who changes the
 triangulation waits for it. Its result is dropped.
 """
