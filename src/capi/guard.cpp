@@ -148,7 +148,6 @@ void read_for_long(const HandleBase* handle, const CallSettings& settings, StopF
     const StopFlag::Call call(watched);
     ProgressOfRead of_read(handle, name, is_watched ? settings : CallSettings());
     StageProgress progress(of_read.settings(), watched);
-    progress.stop_request().poll();
     body(progress);
     progress.finish();
 }

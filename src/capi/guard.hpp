@@ -71,7 +71,8 @@ mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FU
 }
 
 // Runs body(progress), the body of a long call that reads `handle`, which the call has entered. The
-// call reports progress and can be cancelled if `is_watched`.
+// call reports progress and can be cancelled if `is_watched`. A request to stop that was made
+// before the call is left for the body to find.
 void read_for_long(const HandleBase* handle, const CallSettings& settings, StopFlag& stop,
                    bool is_watched, FunctionRef<void(StageProgress&)> body, const char* name);
 

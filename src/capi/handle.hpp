@@ -172,14 +172,18 @@ enum class Watched { if_set, always };
 // Runs body(progress), a long call that reads the handle. The call reports progress and can be
 // cancelled if the settings say so, or if `watched` is `always`.
 template <class H, class F>
-mgdt_status guard_long(H* handle, F body, Watched watched = Watched::if_set,
+mgdt_status guard_long(const H* handle, F body, Watched watched = Watched::if_set,
                        const char* name = __builtin_FUNCTION()) {
     return guard(
         handle,
         [&] {
             const CallSettings& settings = handle->object.settings();
+            const auto poll_first = [&](StageProgress& progress) {
+                progress.stop_request().poll();
+                body(progress);
+            };
             read_for_long(handle, settings, handle->object.stop(),
-                          watched == Watched::always || settings.watches_reads, body, name);
+                          watched == Watched::always || settings.watches_reads, poll_first, name);
         },
         name);
 }

@@ -257,7 +257,8 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
 }
 
 extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
-    return guard_long(p, [&](StageProgress& progress) {
+    // Other processes have to hear of a request to stop, so only the collective part polls.
+    const auto check = [&](StageProgress& progress) {
         p->object.collective.run([&] {
             if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
@@ -266,5 +267,10 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
             p->object.triangulation->check(level, progress);
         });
+    };
+    return guard(p, [&] {
+        const CallSettings& settings = p->object.settings();
+        read_for_long(p, settings, p->object.stop(), settings.watches_reads, check,
+                      "mgdt_parts_check");
     });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names of files are in UTF-16 on Windows. Files are opened in binary mode, since Windows would
-// change line ends.
+// The interface of system.hpp on Windows. Names of files are in UTF-16 there. Files are opened in
+// binary mode, since Windows would change line ends.
 #include <windows.h>
 
 // These headers need those above.

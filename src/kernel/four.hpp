@@ -6,7 +6,7 @@
 //   FourMask, FourSigns  four truth values, each in all bits of an element or in its sign bit
 //   FourIntegers         four integers of 64 bits
 //   FourWords            four words of 32 bits
-//   FourPositions           four positions among four words, for tables of permutations
+//   FourPositions        four positions among four words, for tables of permutations
 //   Transpose4           four rows of doubles, or of their upper halves, as columns
 #pragma once
 

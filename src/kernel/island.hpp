@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel is compiled once for each instruction set. Its headers define everything in a
+// The namespace and the includes of an island, the part of the kernel that is compiled for one
+// instruction set. The kernel is compiled once for each set. Its headers define everything in a
 // namespace named after the set, so that the linker never takes one set's function for another's.
 //
 // The island of an instruction set is the folder of its name, which has all code that is written

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A facet is a cycle of three vertices. These functions choose which vertex comes first.
+// Choose which of the three vertices of a facet comes first; a facet is a cycle of them.
 #pragma once
 
 #include <cassert>

@@ -66,9 +66,9 @@ constexpr std::size_t large_array = std::size_t{1} << 20;
 // The prefetch distance, in records.
 constexpr std::size_t ahead = 32;
 
-// Writes the four values row(t, k) of each finite tetrahedron t at the position of its number,
-// on all threads. Tetrahedra are read in the order of storage; canonical rows are written in
-// another order.
+// Writes the four values row(t, i), for each slot i, of each finite tetrahedron t at the position
+// of its number, on all threads. Tetrahedra are read in the order of storage; canonical rows are
+// written in another order.
 template <bool with_spheres, class Int, class Indices, class Row>
 void export_rows(const MeshView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;

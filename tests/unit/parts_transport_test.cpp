@@ -291,6 +291,27 @@ TEST(PartsTransport, FailsTogether) {
         MGDT_ERR_CANCELLED, "part 0: cancelled");
 }
 
+// A check that one process cancels ends on all of them, also if the request came before the call.
+TEST(PartsTransport, ChecksAreCancelledTogether) {
+    const std::vector<double> xyz = uniform(300);
+    for (const std::int32_t watches : {0, 1})
+        for (const Outcome& o : in_processes(3, [&](mgdt_parts*p, std::int32_t process) {
+                 EXPECT_EQ(mgdt_parts_set_option(p, MGDT_PARTS_READ_PROGRESS, watches), MGDT_OK);
+                 EXPECT_EQ(insert_share(p, process, 3, xyz), MGDT_OK);
+                 EXPECT_EQ(mgdt_parts_build(p), MGDT_OK);
+                 if (process == 1) mgdt_parts_cancel(p);
+                 const mgdt_status checked = mgdt_parts_check(p, MGDT_CHECK_CANONICAL);
+                 const std::string text = mgdt_tests::message_of(p, mgdt_parts_get_error);
+                 EXPECT_TRUE(watches == 0 || text == "part 1: cancelled") << text;
+                 // Where the check is not watched, the request waits for the next build.
+                 EXPECT_EQ(mgdt_parts_build(p), watches == 1 ? MGDT_OK : MGDT_ERR_CANCELLED);
+                 EXPECT_EQ(mgdt_parts_build(p), MGDT_OK);
+                 EXPECT_EQ(mgdt_parts_check(p, MGDT_CHECK_CANONICAL), MGDT_OK);
+                 return checked;
+             }))
+            EXPECT_EQ(o.status, watches == 1 ? MGDT_ERR_CANCELLED : MGDT_OK);
+}
+
 // A transport that fails is not called again; it is alone, so nobody waits.
 TEST(PartsTransport, MayFail) {
     const std::vector<double> xyz = uniform(30);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Higher-order tetrahedra have nodes on edges, on facets and inside, besides their four corners.
-// Such a mesh is reduced to the corners: the other nodes, called mid-side nodes, are not points,
-// whatever the format.
+// Reduces a mesh of higher-order tetrahedra to its corners. Such tetrahedra have nodes on edges, on
+// facets and inside, besides their four corners. These mid-side nodes are not points, whatever the
+// format.
 #pragma once
 
 #include "cli/formats/file_mesh.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Without vectors, find_apex() leaves the test of the vertices to Filling. See kernel/apex.hpp.
+// find_apex() without vectors, which leaves the test of the vertices to Filling. See
+// kernel/apex.hpp.
 #pragma once
 
 namespace mgdt {
