@@ -142,12 +142,14 @@ thread_local const ProgressOfRead::Running* ProgressOfRead::innermost = nullptr;
 }  // namespace
 
 void read_for_long(const HandleBase* handle, const CallSettings& settings, StopFlag& stop,
-                   bool is_watched, FunctionRef<void(StageProgress&)> body, const char* name) {
+                   bool is_watched, bool polls_first, FunctionRef<void(StageProgress&)> body,
+                   const char* name) {
     StopFlag never;
     StopFlag& watched = is_watched ? stop : never;
     const StopFlag::Call call(watched);
     ProgressOfRead of_read(handle, name, is_watched ? settings : CallSettings());
     StageProgress progress(of_read.settings(), watched);
+    if (polls_first) progress.stop_request().poll();
     body(progress);
     progress.finish();
 }

@@ -71,10 +71,11 @@ mgdt_status guard_short(const Handle* t, F body, const char* name = __builtin_FU
 }
 
 // Runs body(progress), the body of a long call that reads `handle`, which the call has entered. The
-// call reports progress and can be cancelled if `is_watched`. A request to stop that was made
-// before the call is left for the body to find.
+// call reports progress and can be cancelled if `is_watched`. Unless `polls_first`, the body has to
+// find a request to stop that was made before the call.
 void read_for_long(const HandleBase* handle, const CallSettings& settings, StopFlag& stop,
-                   bool is_watched, FunctionRef<void(StageProgress&)> body, const char* name);
+                   bool is_watched, bool polls_first, FunctionRef<void(StageProgress&)> body,
+                   const char* name);
 
 // A handle that a call on another handle reads.
 class SecondHandle {

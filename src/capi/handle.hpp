@@ -178,12 +178,8 @@ mgdt_status guard_long(const H* handle, F body, Watched watched = Watched::if_se
         handle,
         [&] {
             const CallSettings& settings = handle->object.settings();
-            const auto poll_first = [&](StageProgress& progress) {
-                progress.stop_request().poll();
-                body(progress);
-            };
             read_for_long(handle, settings, handle->object.stop(),
-                          watched == Watched::always || settings.watches_reads, poll_first, name);
+                          watched == Watched::always || settings.watches_reads, true, body, name);
         },
         name);
 }

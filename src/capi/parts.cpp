@@ -270,7 +270,7 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
     };
     return guard(p, [&] {
         const CallSettings& settings = p->object.settings();
-        read_for_long(p, settings, p->object.stop(), settings.watches_reads, check,
+        read_for_long(p, settings, p->object.stop(), settings.watches_reads, false, check,
                       "mgdt_parts_check");
     });
 }
