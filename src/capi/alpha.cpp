@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Alpha values, and the surfaces of alpha shapes.
+// The functions that give alpha values, and the surfaces of alpha shapes.
 #include "dual/alpha.hpp"
 
 #include "capi/counts.hpp"

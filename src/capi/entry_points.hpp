@@ -9,11 +9,12 @@
 //   MGDT_DOUBLES(KIND, Results)    get_doubles
 //   MGDT_MESSAGE(KIND)             get_error
 //
-// `switches` are the options of that handle alone. Results is a class that has
+// `switches` is the list of the options that this handle has beside those of all handles; {} if
+// there are none (options.hpp). `Results` is a class with these static members:
 //
-//   statistics, arrays     tables of statistics.hpp and arrays.hpp
-//   of(object)             what the arrays are of, from the object of the handle
-//   require(results)       throws if there are no results yet
+//   statistics, arrays     the tables of the handle, as statistics.hpp and arrays.hpp define them
+//   of(object)             returns the part of the handle's object that has the arrays
+//   require(results)       throws if this part has no results yet
 #pragma once
 
 #include "capi/arrays.hpp"

@@ -85,8 +85,8 @@ MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, const Body& body) no
 }
 
 // The progress function of a long call that reads a handle. While it runs, guard_together() refuses
-// calls that its thread makes on the same handle. Otherwise a progress function that made such a
-// call would call itself without end.
+// calls that its thread makes on the same handle. Without this rule, a progress function that made
+// such a call would call itself without end.
 class ProgressOfRead {
   public:
     // Calls the function that `settings` names now.
@@ -96,7 +96,8 @@ class ProgressOfRead {
     ProgressOfRead(const ProgressOfRead&) = delete;
     ProgressOfRead& operator=(const ProgressOfRead&) = delete;
 
-    // Settings whose progress function is this one.
+    // Returns settings whose progress function marks this call as running and calls the function
+    // of the host.
     CallSettings settings() noexcept {
         CallSettings own;
         if (!tell_) return own;

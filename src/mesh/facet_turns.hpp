@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Choose which of the three vertices of a facet comes first; a facet is a cycle of them.
+// Functions that turn a facet, a cycle of three vertices, so that a certain vertex comes first.
 #pragma once
 
 #include <cassert>

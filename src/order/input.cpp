@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order scheme that keeps the caller's order.
+// The order scheme that inserts points in the order in which the caller gives them.
 #include "order/schemes.hpp"
 
 namespace mgdt {

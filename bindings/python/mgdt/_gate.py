@@ -3,9 +3,9 @@
 
 Python runs signal handlers in the main thread, between bytecodes, so none run during a call of the
 library. The library can stop all calls that read a handle, but not one of them. So the main thread
-leaves a long one to a thread of its own, and waits on a queue, which signals do interrupt. What a handler raises goes
-on to the user at once. The call goes on to its end, as a reader like any other: who changes the
-triangulation waits for it. Its result is dropped.
+leaves a long one to a thread of its own, and waits on a queue, which signals do interrupt. What a
+handler raises goes on to the user at once. The call goes on to its end, as a reader like any other:
+who changes the triangulation waits for it. Its result is dropped.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What AVX2 has for vectors of four doubles.
+// Includes the vectors of four doubles that are written for AVX2.
 #pragma once
 
 #include "kernel/avx2/four_words.hpp"

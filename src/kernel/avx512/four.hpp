@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What AVX2 has for vectors of four doubles serves AVX-512, too.
+// Includes the vectors of four doubles of AVX2, which AVX-512 uses too.
 #pragma once
 
 #include "kernel/avx2/four.hpp"

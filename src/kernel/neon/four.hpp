@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What NEON has for vectors of four doubles.
+// Includes the vectors of four doubles that are written for NEON.
 #pragma once
 
 #include "kernel/neon/four_words.hpp"

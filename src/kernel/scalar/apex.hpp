@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// find_apex() without vectors, which leaves the test of the vertices to Filling. See
-// kernel/apex.hpp.
+// find_apex() for processors without vectors. It decides nothing, so that Filling tests the
+// vertices. kernel/apex.hpp documents the function.
 #pragma once
 
 namespace mgdt {
