@@ -136,8 +136,8 @@ class Assembly {
     }
 
     void write_unused() {
-        out_.unused_regions = std::move(parts_.regions.unused_regions);
-        out_.unused_holes = std::move(parts_.regions.unused_holes);
+        out_.unused_regions.copy(parts_.regions.unused_regions);
+        out_.unused_holes.copy(parts_.regions.unused_holes);
         Buffer<std::uint8_t> is_used(allocator_);
         is_used.resize(parts_.input.point_count(), 0);
         for (const std::uint32_t v : out_.tetrahedra)

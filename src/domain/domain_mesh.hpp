@@ -81,7 +81,7 @@ struct DomainParts {
     const ConstrainedMesh& mesh;
     const Buffer<Subsegment>& subsegments;
     const Buffer<SteinerPoint>& steiner;
-    Regions& regions;
+    const Regions& regions;
 };
 
 // Writes the tetrahedra inside of the domain, the faces and the edges, sorted by their corners. The

@@ -105,10 +105,11 @@ class Buffer {
           data_(std::exchange(other.data_, nullptr)),
           size_(std::exchange(other.size_, 0)),
           capacity_(std::exchange(other.capacity_, 0)) {}
+    // Both arrays have the same allocator: an array from another one would not outlive it.
     Buffer& operator=(Buffer&& other) noexcept {
+        assert(allocator_ == other.allocator_ && "the array belongs to another allocator");
         if (this != &other) {
             reset();
-            allocator_ = other.allocator_;
             data_ = std::exchange(other.data_, nullptr);
             size_ = std::exchange(other.size_, 0);
             capacity_ = std::exchange(other.capacity_, 0);
@@ -181,6 +182,11 @@ class Buffer {
     void resize(std::size_t size) {
         reserve(size);
         size_ = size;
+    }
+    // Copies the elements of an array, which may have another allocator.
+    void copy(const Buffer& other) {
+        resize(other.size_);
+        if (size_ > 0) std::memcpy(data_, other.data_, size_ * item_size);
     }
     void resize(std::size_t size, const T& value) {
         const std::size_t old = size_;

@@ -230,10 +230,31 @@ static void losses(void) {
     mgdt_domain_destroy(d);
 }
 
+/* A mesh holds its memory itself: the domain's memory is the same with it and without it. */
+static void memory_of_a_mesh(void) {
+    const double places[12] = {9, 9, 9, 2, 2, 2, 2, 2, 2, 9, 9, 9};
+    const int32_t marks[4] = {1, 2, 3, 4};
+    mgdt_domain* const d = make_box(0);
+    mgdt_mesh* m = NULL;
+    int64_t held;
+    CHECK_EQUAL(mgdt_domain_set_regions(d, 4, places, marks), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_set_holes(d, 1, places), MGDT_OK);
+    CHECK_EQUAL(build(d), MGDT_OK);
+    held = stat_of(d, MGDT_DOMAIN_STAT_MEMORY_BYTES);
+    m = mesh_of(d);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_UNUSED_REGIONS), 2);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_UNUSED_HOLES), 1);
+    CHECK_EQUAL(stat_of(d, MGDT_DOMAIN_STAT_MEMORY_BYTES), held);
+    mgdt_domain_destroy(d);
+    CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+    mgdt_mesh_destroy(m);
+}
+
 void test_domain(void) {
     mesh_of_a_box(0);
     mesh_of_a_box(1);
     offending_pairs();
     nothing();
     losses();
+    memory_of_a_mesh();
 }

@@ -44,6 +44,8 @@ TEST_F(ArrayDeathTest, Elements) {
     EXPECT_DEATH(array.back() = 1, "no last element");
     EXPECT_DEATH((void)constant.back(), "no last element");
     EXPECT_DEATH(array.pop_back(), "no last element");
+    Allocator another;
+    EXPECT_DEATH(array = Buffer<int>(another), "belongs to another allocator");
 }
 
 TEST_F(RecordDeathTest, Codes) {
