@@ -218,8 +218,8 @@ extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
     return guard(d, [&] {
-        *out = new_result<mgdt_mesh>(
-            d->object, [&](Result<DomainMesh>& made) { d->object.build(made.value); });
+        *out = new_result<mgdt_mesh>(d->object,
+                                     [&](Result<SolidMesh>& made) { d->object.build(made.value); });
     });
 }
 

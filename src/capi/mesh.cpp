@@ -3,9 +3,9 @@
 #include "capi/entry_points.hpp"
 #include "capi/measure.hpp"
 #include "capi/mesh_handle.hpp"
-#include "domain/mesh_check.hpp"
-#include "domain/mesh_measures.hpp"
 #include "parallel/thread_count.hpp"
+#include "solid/mesh_check.hpp"
+#include "solid/mesh_measures.hpp"
 
 using namespace mgdt;
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace of_mesh {
 
-using Object = Result<DomainMesh>;
+using Object = Result<SolidMesh>;
 
 constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_POINTS, [](const Object& m) { return m.value.points.size() / 3; }},
@@ -33,13 +33,12 @@ constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_UNUSED_REGIONS, [](const Object& m) { return m.value.unused_regions.size(); }},
     {MGDT_MESH_STAT_UNUSED_HOLES, [](const Object& m) { return m.value.unused_holes.size(); }},
     {MGDT_MESH_STAT_PLANAR_FACETS, [](const Object& m) { return m.value.planar_facets; }},
-    {MGDT_MESH_STAT_MISSING_FACETS, [](const Object& m) { return m.value.facet_counts.missing; }},
-    {MGDT_MESH_STAT_CAVITIES, [](const Object& m) { return m.value.facet_counts.cavities; }},
-    {MGDT_MESH_STAT_LARGEST_CAVITY,
-     [](const Object& m) { return m.value.facet_counts.largest_cavity; }},
+    {MGDT_MESH_STAT_MISSING_FACETS, [](const Object& m) { return m.value.missing_facets; }},
+    {MGDT_MESH_STAT_CAVITIES, [](const Object& m) { return m.value.cavities; }},
+    {MGDT_MESH_STAT_LARGEST_CAVITY, [](const Object& m) { return m.value.largest_cavity; }},
 };
 
-using M = DomainMesh;
+using M = SolidMesh;
 constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_MESH_ARRAY_POINT_ORIGINS, 1, &M::point_origins),
     array<Element::number>(MGDT_MESH_ARRAY_TETRAHEDRA, 4, &M::tetrahedra),
@@ -63,8 +62,8 @@ constexpr auto arrays = std::make_tuple(
 struct MeshResults {
     static constexpr const auto& statistics = of_mesh::statistics;
     static constexpr const auto& arrays = of_mesh::arrays;
-    static const DomainMesh& of(const Result<DomainMesh>& object) { return object.value; }
-    static void require(const DomainMesh&) {}
+    static const SolidMesh& of(const Result<SolidMesh>& object) { return object.value; }
+    static void require(const SolidMesh&) {}
 };
 
 }  // namespace
@@ -94,7 +93,7 @@ extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, in
 
 extern "C" mgdt_status mgdt_mesh_check(const mgdt_mesh* m) {
     return guard_long(m, [&](StageProgress& progress) {
-        const Result<DomainMesh>& mesh = m->object;
+        const Result<SolidMesh>& mesh = m->object;
         check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator(), progress);
     });
 }

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "capi/handle.hpp"
-#include "domain/domain_mesh.hpp"
 #include "mgdt/mgdt_mesh.h"
+#include "solid/solid_mesh.hpp"
 
-struct mgdt_mesh : mgdt::Handle<mgdt::Result<mgdt::DomainMesh>> {
+struct mgdt_mesh : mgdt::Handle<mgdt::Result<mgdt::SolidMesh>> {
     using Handle::Handle;
 };

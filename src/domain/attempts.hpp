@@ -2,7 +2,7 @@
 // The order in which grids and rules are tried until a domain has a mesh.
 #pragma once
 
-#include "domain/rounding_grid.hpp"
+#include "solid/rounding_grid.hpp"
 
 namespace mgdt {
 

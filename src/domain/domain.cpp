@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "domain/facet_insertion.hpp"
+#include "domain/mesh_assembly.hpp"
 #include "domain/mesh_comparison.hpp"
 #include "parallel/thread_count.hpp"
 #include "platform/objects.hpp"
@@ -131,7 +133,7 @@ void Domain::fail_open() const {
          number(e.facet), number(e.ends[0]), number(e.ends[1]), open_edges_.size());
 }
 
-void Domain::check(const DomainMesh& mesh, StageProgress& progress) const {
+void Domain::check(const SolidMesh& mesh, StageProgress& progress) const {
     compare_mesh(input_, mesh, settings_.index_base, allocator_, progress);
 }
 
@@ -156,7 +158,7 @@ void Domain::round(const RoundingGrid& grid, Complex& complex, StageProgress& pr
     require_valid(complex, MGDT_ERR_RESOLUTION, where, progress);
 }
 
-void Domain::build(DomainMesh& mesh) {
+void Domain::build(SolidMesh& mesh) {
     const StopFlag::Call call(stop_);
     StageProgress progress(settings_, stop_);
     forget_results();
@@ -164,7 +166,7 @@ void Domain::build(DomainMesh& mesh) {
     progress.finish();
 }
 
-void Domain::run(StageProgress& progress, DomainMesh& mesh) {
+void Domain::run(StageProgress& progress, SolidMesh& mesh) {
     progress.enter(0, 0.05);
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
@@ -210,10 +212,10 @@ void Domain::run(StageProgress& progress, DomainMesh& mesh) {
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
 // more finely than doubles can, there is no mesh, and the result is its ends.
 Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
-                              DomainMesh& mesh) {
+                              SolidMesh& mesh) {
     const RoundingGrid grid(input_.points, attempt.bits);
     const StopRequest stop = stop_.request();
-    mesh = DomainMesh(mesh.points.allocator());
+    mesh = SolidMesh(mesh.points.allocator());
     progress.enter(0, 0.1);
     round(grid, complex, progress);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
@@ -248,8 +250,13 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     ConstrainedMesh constrained(triangulation, points, allocator_);
     triangulation.clear();
     triangulation.shrink();
-    if (!segments.parts.empty())
-        mesh.facet_counts = insert_facets(constrained, facets, segments.parts, allocator_, stop);
+    if (!segments.parts.empty()) {
+        const FacetCounts counts =
+            insert_facets(constrained, facets, segments.parts, allocator_, stop);
+        mesh.missing_facets = counts.missing;
+        mesh.cavities = counts.cavities;
+        mesh.largest_cavity = counts.largest_cavity;
+    }
     progress.enter(0.9, 1);
     Regions found = find_regions(constrained, grid, input_.regions, input_.holes, allocator_);
     if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
@@ -261,7 +268,7 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     return std::nullopt;
 }
 
-void Domain::require_all_used(const DomainMesh& mesh) const {
+void Domain::require_all_used(const SolidMesh& mesh) const {
     const auto number = [&](std::uint32_t index) {
         return static_cast<long long>(index) + settings_.index_base;
     };

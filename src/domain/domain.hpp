@@ -9,10 +9,11 @@
 #include <optional>
 
 #include "boundary/boundary_edges.hpp"
+#include "boundary/complex.hpp"
 #include "boundary/validation.hpp"
 #include "domain/attempts.hpp"
-#include "domain/domain_mesh.hpp"
 #include "platform/stage_progress.hpp"
+#include "solid/solid_mesh.hpp"
 
 namespace mgdt {
 
@@ -70,9 +71,9 @@ class Domain {
     void validate();
     // Validates the boundary, and makes the mesh. If the call throws, the mesh is empty:
     // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, other Errors and std::bad_alloc.
-    void build(DomainMesh& mesh);
+    void build(SolidMesh& mesh);
     // Throws MGDT_ERR_CHECK_FAILED if the mesh is not one of the domain.
-    void check(const DomainMesh& mesh, StageProgress& progress) const;
+    void check(const SolidMesh& mesh, StageProgress& progress) const;
     // Removes everything but the settings.
     void clear() noexcept;
     StopFlag& stop() const noexcept { return stop_; }
@@ -87,11 +88,11 @@ class Domain {
 
   private:
     void forget_results() noexcept;
-    void run(StageProgress& progress, DomainMesh& mesh);
+    void run(StageProgress& progress, SolidMesh& mesh);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where,
                        StageProgress& progress);
     [[noreturn]] void fail_open() const;
-    void require_all_used(const DomainMesh& mesh) const;
+    void require_all_used(const SolidMesh& mesh) const;
     void round(const RoundingGrid& grid, Complex& complex, StageProgress& progress);
     // A segment that could not be divided as finely as necessary, or not in the time given.
     struct StuckSegment {
@@ -101,7 +102,7 @@ class Domain {
     };
     using Stuck = std::optional<StuckSegment>;
     Stuck mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
-                  DomainMesh& mesh);
+                  SolidMesh& mesh);
 
     mutable Allocator allocator_;
     DomainSettings settings_;

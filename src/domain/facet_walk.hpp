@@ -4,7 +4,7 @@
 #pragma once
 
 #include "domain/constrained_mesh.hpp"
-#include "domain/pair_table.hpp"
+#include "solid/pair_table.hpp"
 
 namespace mgdt {
 

@@ -29,7 +29,7 @@ struct DirectedEdge {
 
 class MeshComparison {
   public:
-    MeshComparison(const DomainInput& input, const DomainMesh& mesh, std::int32_t base,
+    MeshComparison(const DomainInput& input, const SolidMesh& mesh, std::int32_t base,
                    Allocator& allocator, StageProgress& progress)
         : mesh_(mesh),
           allocator_(allocator),
@@ -323,7 +323,7 @@ class MeshComparison {
             if (mesh_.side(t, x) >= 0) f(t);
     }
 
-    const DomainMesh& mesh_;
+    const SolidMesh& mesh_;
     Allocator& allocator_;
     std::int64_t base_;
     const DomainInput& input_;
@@ -336,7 +336,7 @@ class MeshComparison {
 
 }  // namespace
 
-void compare_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
+void compare_mesh(const DomainInput& input, const SolidMesh& mesh, std::int32_t index_base,
                   Allocator& allocator, StageProgress& progress) {
     MeshComparison(input, mesh, index_base, allocator, progress).run();
 }

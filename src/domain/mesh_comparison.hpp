@@ -2,8 +2,9 @@
 // Whether a mesh is that of a domain.
 #pragma once
 
-#include "domain/domain_mesh.hpp"
+#include "boundary/complex.hpp"
 #include "platform/stage_progress.hpp"
+#include "solid/solid_mesh.hpp"
 
 namespace mgdt {
 
@@ -14,7 +15,7 @@ namespace mgdt {
 // - the regions have the markers of the places in them, and contain no hole.
 // The input is valid, and check_mesh() has found no defect. Which of the parts that facets enclose
 // are filled is not found anew.
-void compare_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
+void compare_mesh(const DomainInput& input, const SolidMesh& mesh, std::int32_t index_base,
                   Allocator& allocator, StageProgress& progress);
 
 }  // namespace mgdt

@@ -4,7 +4,7 @@
 
 #include "boundary/input.hpp"
 #include "domain/constrained_mesh.hpp"
-#include "domain/rounding_grid.hpp"
+#include "solid/rounding_grid.hpp"
 
 namespace mgdt {
 

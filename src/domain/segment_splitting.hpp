@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/triangulation.hpp"
-#include "domain/divided_segment.hpp"
 #include "platform/no_index.hpp"
 #include "platform/stage_progress.hpp"
+#include "solid/divided_segment.hpp"
 
 namespace mgdt {
 
@@ -33,7 +33,7 @@ struct DividedSegments {
     bool takes_long = false;  // whether the latter was the reason
 };
 
-// `points` are integers, three for each point (domain/rounding_grid.hpp), and `triangulation` has
+// `points` are integers, three for each point (solid/rounding_grid.hpp), and `triangulation` has
 // these points and no others. The function puts points on the segments, in the triangulation and at
 // the end of `points`. No two segments meet except in common ends, and no point is inside of one.
 //

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "boundary/polygon.hpp"
-#include "domain/mesh_check.hpp"
+#include "solid/mesh_check.hpp"
 #include "surfaces.hpp"
 #include "unwatched.hpp"
 
@@ -27,7 +27,7 @@ Rational determinant(const double* a, const double* b, const double* c) {
 }
 
 // Six times the volume of each region: by its tetrahedra, and by the faces of its boundary.
-void expect_equal_volumes(const DomainMesh& m) {
+void expect_equal_volumes(const SolidMesh& m) {
     std::map<std::uint32_t, Rational> inside, around;
     const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
     for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
@@ -48,7 +48,7 @@ void expect_equal_volumes(const DomainMesh& m) {
     EXPECT_EQ(inside, around);
 }
 
-double volume(const DomainMesh& m) {
+double volume(const SolidMesh& m) {
     Rational sum = 0;
     const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
     for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
@@ -72,7 +72,7 @@ TEST(Domain, MeshesAllTestSurfaces) {
             ADD_FAILURE() << e.message;
             continue;
         }
-        const DomainMesh& m = domain.mesh();
+        const SolidMesh& m = domain.mesh();
         EXPECT_GT(m.tetrahedron_count(), 0u);
         expect_equal_volumes(m);
         if (s.regions > 0) {
@@ -322,7 +322,7 @@ TEST(Domain, CheckFindsChanges) {
         EXPECT_EQ(error_of([&] { domain.check(); }).status, MGDT_ERR_CHECK_FAILED) << i;
         array[i] = before;
     };
-    DomainMesh& m = domain.mesh();
+    SolidMesh& m = domain.mesh();
     for (Buffer<std::uint32_t>* const of :
          {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.edges,
           &m.steiner_edges})
@@ -356,7 +356,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         MeshedDomain domain;
         give(domain, cube());
         domain.build();
-        DomainMesh& m = domain.mesh();
+        SolidMesh& m = domain.mesh();
         for (const double x : centre) {
             domain.input().points.push_back(x);
             m.points.push_back(x);
@@ -370,7 +370,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         MeshedDomain domain;
         give(domain, cube());
         domain.build();
-        DomainMesh& m = domain.mesh();
+        SolidMesh& m = domain.mesh();
         for (std::uint32_t a = 0; a < 4; ++a) {
             const std::uint32_t b = 7 - a;
             bool is_edge = false;
@@ -419,7 +419,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         domain.check();
         one.build();
         two.build();
-        DomainMesh& m = domain.mesh();
+        SolidMesh& m = domain.mesh();
         for (Buffer<std::uint32_t>* const of :
              {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.edges})
             of->clear();
@@ -429,7 +429,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         m.edge_markers.clear();
         const auto tetrahedra = static_cast<std::uint32_t>(one.mesh().tetrahedron_count());
         for (const MeshedDomain* const d : {&one, &two}) {
-            const DomainMesh& from = d->mesh();
+            const SolidMesh& from = d->mesh();
             const bool is_second = d == &two;
             append(m.tetrahedra, from.tetrahedra, is_second ? 9 : 0);
             append(m.neighbors, from.neighbors, is_second ? tetrahedra : 0);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "domain/domain.hpp"
-#include "domain/mesh_check.hpp"
+#include "solid/mesh_check.hpp"
 #include "unwatched.hpp"
 
 namespace mgdt {
@@ -20,7 +20,7 @@ class MeshedDomain : public Domain {
   public:
     MeshedDomain() : Domain(nullptr, nullptr, nullptr) {}
     void build() {
-        mesh_ = DomainMesh(memory_);
+        mesh_ = SolidMesh(memory_);
         Domain::build(mesh_);
     }
     // Checks the mesh, and compares it with the domain.
@@ -28,12 +28,12 @@ class MeshedDomain : public Domain {
         check_mesh(mesh_, settings().index_base, allocator(), Unwatched());
         Domain::check(mesh_, Unwatched());
     }
-    DomainMesh& mesh() { return mesh_; }
-    const DomainMesh& mesh() const { return mesh_; }
+    SolidMesh& mesh() { return mesh_; }
+    const SolidMesh& mesh() const { return mesh_; }
 
   private:
     Allocator memory_;
-    DomainMesh mesh_{memory_};
+    SolidMesh mesh_{memory_};
 };
 
 struct Surface {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "domain/mesh_measures.hpp"
+#include "solid/mesh_measures.hpp"
 
 #include "mesh/scale.hpp"
 #include "parallel/watched_split.hpp"
 
 namespace mgdt {
 
-void measure_tetrahedra(const DomainMesh& mesh, TetrahedronMeasure measure, Team& team,
+void measure_tetrahedra(const SolidMesh& mesh, TetrahedronMeasure measure, Team& team,
                         Allocator& allocator, StageProgress& progress, double* x) {
     ExponentRange range;
     for (const double c : mesh.points) range.add(c);

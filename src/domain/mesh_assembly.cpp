@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/domain_mesh.hpp"
+#include "domain/mesh_assembly.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 class Assembly {
   public:
-    Assembly(const DomainParts& parts, Allocator& allocator, DomainMesh& out)
+    Assembly(const DomainParts& parts, Allocator& allocator, SolidMesh& out)
         : parts_(parts), out_(out), allocator_(allocator), number_(allocator) {}
 
     void run(bool rounds) {
@@ -213,9 +213,9 @@ class Assembly {
             if (rounded)
                 for (int k = 0; k < 3; ++k) x[k] = parts_.grid.unround(exact[k]);
             else
-                DomainMesh::place_on_segment(given(out_.steiner_edges[2 * i]),
-                                             given(out_.steiner_edges[2 * i + 1]),
-                                             out_.steiner_parameters[i], exact, parts_.grid, x);
+                SolidMesh::place_on_segment(given(out_.steiner_edges[2 * i]),
+                                            given(out_.steiner_edges[2 * i + 1]),
+                                            out_.steiner_parameters[i], exact, parts_.grid, x);
             for (int k = 0; k < 3; ++k) {
                 out_.exact_points.push_back(exact[k]);
                 out_.points.push_back(x[k]);
@@ -231,39 +231,14 @@ class Assembly {
     }
 
     const DomainParts& parts_;
-    DomainMesh& out_;
+    SolidMesh& out_;
     Allocator& allocator_;
     Buffer<std::uint32_t> number_;  // of each tetrahedron in the result, or `no_index`
 };
 
 }  // namespace
 
-void DomainMesh::place_on_segment(const double* a, const double* b, double t, const double* on_grid,
-                                  const RoundingGrid& grid, double* x) noexcept {
-    bool is_exact = true;
-    for (int k = 0; k < 3; ++k)
-        for (const double c : {a[k], b[k]}) is_exact = is_exact && grid.unround(grid.round(c)) == c;
-    for (int k = 0; k < 3; ++k) {
-        x[k] = grid.unround(on_grid[k]);
-        // The difference of two large doubles may overflow.
-        const double difference = b[k] - a[k];
-        if (!is_exact && std::isfinite(difference)) x[k] = a[k] + t * difference;
-    }
-}
-
-int DomainMesh::side(std::uint32_t t, const double* x) const noexcept {
-    const auto corner = [&](unsigned i) {
-        return exact_points.begin() + 3 * std::size_t{tetrahedra[4 * std::size_t{t} + i]};
-    };
-    int least = 1;
-    for (unsigned i = 0; i < 4 && least >= 0; ++i) {
-        const unsigned char* const f = outer_face[i];
-        least = std::min(least, -orientation(x, corner(f[0]), corner(f[1]), corner(f[2])));
-    }
-    return least;
-}
-
-void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out) {
+void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, SolidMesh& out) {
     out.grid = parts.grid;
     Assembly(parts, allocator, out).run(rounds);
 }

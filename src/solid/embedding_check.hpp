@@ -2,8 +2,8 @@
 // Whether the tetrahedra of a domain's mesh overlap or leave gaps.
 #pragma once
 
-#include "domain/domain_mesh.hpp"
 #include "platform/stage_progress.hpp"
+#include "solid/solid_mesh.hpp"
 
 namespace mgdt {
 
@@ -14,7 +14,7 @@ namespace mgdt {
 // overlap, and all points and listed edges inside of the domain are in the mesh (docs/theory.md,
 // "Meshes of domains"). The caller has checked that the tetrahedra are positive, and that the
 // listed faces are those at which they end.
-void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+void check_embedding(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                      StageProgress& progress);
 
 }  // namespace mgdt

@@ -2,8 +2,8 @@
 // Whether a mesh of a domain is valid in itself.
 #pragma once
 
-#include "domain/domain_mesh.hpp"
 #include "platform/stage_progress.hpp"
+#include "solid/solid_mesh.hpp"
 
 namespace mgdt {
 
@@ -15,7 +15,7 @@ namespace mgdt {
 //   inside of one;
 // - every other face is locally Delaunay, so that the mesh is the constrained Delaunay
 //   triangulation (docs/theory.md, "Meshes of domains").
-void check_mesh(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+void check_mesh(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                 StageProgress& progress);
 
 }  // namespace mgdt

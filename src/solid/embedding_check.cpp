@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "domain/embedding_check.hpp"
+#include "solid/embedding_check.hpp"
 
 #include <algorithm>
 
-#include "domain/pair_table.hpp"
+#include "boundary/boundary.hpp"
+#include "boundary/box_tree.hpp"
+#include "boundary/simplex_pair.hpp"
+#include "mesh/tetrahedron.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
+#include "solid/pair_table.hpp"
 
 namespace mgdt {
 namespace {
@@ -16,7 +20,7 @@ namespace {
 // one to that of the other without passing through a face with one free side.
 class Sheets {
   public:
-    Sheets(const DomainMesh& mesh, Allocator& allocator)
+    Sheets(const SolidMesh& mesh, Allocator& allocator)
         : mesh_(mesh), edges_(allocator), sets_(allocator, mesh.face_facets.size()) {
         for (std::uint32_t f = 0; f < mesh.face_facets.size(); ++f) {
             if (free_sides(f) == 0) continue;
@@ -73,14 +77,14 @@ class Sheets {
             sets_.join(edges_[begin].face, edges_[i].face);
     }
 
-    const DomainMesh& mesh_;
+    const SolidMesh& mesh_;
     Buffer<Edge> edges_;
     DisjointSets sets_;
 };
 
 class EmbeddingCheck {
   public:
-    EmbeddingCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator,
+    EmbeddingCheck(const SolidMesh& mesh, std::int32_t base, Allocator& allocator,
                    StageProgress& progress)
         : mesh_(mesh), allocator_(allocator), base_(base), progress_(progress) {}
 
@@ -198,7 +202,7 @@ class EmbeddingCheck {
         return is_inside && std::find(v, v + 4, s.number[0]) == v + 4;
     }
 
-    const DomainMesh& mesh_;
+    const SolidMesh& mesh_;
     Allocator& allocator_;
     std::int32_t base_;
     StageProgress& progress_;
@@ -206,7 +210,7 @@ class EmbeddingCheck {
 
 }  // namespace
 
-void check_embedding(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+void check_embedding(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                      StageProgress& progress) {
     EmbeddingCheck(mesh, index_base, allocator, progress).run();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "domain/divided_segment.hpp"
+#include "solid/divided_segment.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "domain/rounding_grid.hpp"
+#include "solid/rounding_grid.hpp"
 
 namespace mgdt {
 

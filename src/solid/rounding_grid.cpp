@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "domain/rounding_grid.hpp"
+#include "solid/rounding_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The mesh of a domain, as the caller reads it.
+// A mesh of tetrahedra, as the caller reads it.
 #pragma once
 
-#include "boundary/complex.hpp"
-#include "domain/facet_insertion.hpp"
-#include "domain/regions.hpp"
-#include "domain/rounding_grid.hpp"
 #include "platform/no_index.hpp"
+#include "solid/rounding_grid.hpp"
 
 namespace mgdt {
 
-struct DomainMesh {
-    explicit DomainMesh(Allocator& allocator)
+struct SolidMesh {
+    explicit SolidMesh(Allocator& allocator)
         : points(allocator),
           exact_points(allocator),
           point_origins(allocator),
@@ -68,25 +65,7 @@ struct DomainMesh {
     // faces that are at no tetrahedron, by their numbers in the mesh.
     Buffer<std::uint32_t> unused_points, unused_regions, unused_holes, unused_faces;
     // Counts of the build, for statistics.
-    std::size_t planar_facets = 0;
-    FacetCounts facet_counts;
+    std::size_t planar_facets = 0, missing_facets = 0, cavities = 0, largest_cavity = 0;
 };
-
-// The results of the stages of a build.
-struct DomainParts {
-    const DomainInput& input;
-    const Complex& complex;
-    const PlanarFacets& facets;
-    const RoundingGrid& grid;
-    const ConstrainedMesh& mesh;
-    const Buffer<Subsegment>& subsegments;
-    const Buffer<SteinerPoint>& steiner;
-    const Regions& regions;
-};
-
-// Writes the tetrahedra inside of the domain, the faces and the edges, sorted by their corners. The
-// result depends on the points, facets and segments alone. Points have the caller's coordinates if
-// all tetrahedra are positive with them and `rounds` is not set; otherwise they are rounded.
-void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out);
 
 }  // namespace mgdt

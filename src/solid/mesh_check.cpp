@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "domain/mesh_check.hpp"
+#include "solid/mesh_check.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "domain/embedding_check.hpp"
+#include "mesh/tetrahedron.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
+#include "solid/divided_segment.hpp"
+#include "solid/embedding_check.hpp"
 
 namespace mgdt {
 namespace {
@@ -28,7 +30,7 @@ static_assert(std::is_trivially_copyable_v<Triple>);
 
 class MeshCheck {
   public:
-    MeshCheck(const DomainMesh& mesh, std::int32_t base, Allocator& allocator,
+    MeshCheck(const SolidMesh& mesh, std::int32_t base, Allocator& allocator,
               StageProgress& progress)
         : mesh_(mesh), allocator_(allocator), base_(base), progress_(progress), faces_(allocator) {}
 
@@ -113,8 +115,7 @@ class MeshCheck {
         if (mesh_.is_rounded)
             for (int k = 0; k < 3; ++k) x[k] = mesh_.grid.unround(exact(p)[k]);
         else
-            DomainMesh::place_on_segment(point(ends[0]), point(ends[1]), t, exact(p), mesh_.grid,
-                                         x);
+            SolidMesh::place_on_segment(point(ends[0]), point(ends[1]), t, exact(p), mesh_.grid, x);
         return std::equal(x, x + 3, point(p));
     }
 
@@ -235,7 +236,7 @@ class MeshCheck {
                  number(apex), number(t));
     }
 
-    const DomainMesh& mesh_;
+    const SolidMesh& mesh_;
     Allocator& allocator_;
     std::int64_t base_;
     StageProgress& progress_;
@@ -244,7 +245,7 @@ class MeshCheck {
 
 }  // namespace
 
-void check_mesh(const DomainMesh& mesh, std::int32_t index_base, Allocator& allocator,
+void check_mesh(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                 StageProgress& progress) {
     MeshCheck(mesh, index_base, allocator, progress).run();
 }

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "solid/linked_tetrahedra.hpp"
+
+#include "platform/error.hpp"
+
+namespace mgdt {
+
+std::uint32_t LinkedTetrahedra::tetrahedron_at(std::uint32_t a, std::uint32_t b) {
+    if (hints[a] == no_tetrahedron) return no_tetrahedron;
+    stamp_.grow(tetrahedra.size());
+    stamp_.resize(tetrahedra.size(), 0u);
+    ++search_;
+    star_.clear();
+    star_.push_back(hints[a]);
+    stamp_[hints[a]] = search_;
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+        const Tetrahedron& t = tetrahedra[star_[i]];
+        if (t.has(b)) return star_[i];
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t next = t.n[k];
+            if (t.v[k] == a || next == no_index || stamp_[next / 4] == search_) continue;
+            stamp_[next / 4] = search_;
+            star_.push_back(next / 4);
+        }
+    }
+    return no_tetrahedron;
+}
+
+std::uint32_t LinkedTetrahedra::add(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                    std::uint32_t d) {
+    std::uint32_t t;
+    if (free_slots.empty()) {
+        t = static_cast<std::uint32_t>(tetrahedra.size());
+        if (t >= max_tetrahedra) fail(MGDT_ERR_TOO_LARGE, "there are too many tetrahedra");
+        tetrahedra.push_back({});
+    } else {
+        t = free_slots.back();
+        free_slots.pop_back();
+    }
+    tetrahedra[t] = {{a, b, c, d},
+                     {no_index, no_index, no_index, no_index},
+                     {no_index, no_index, no_index, no_index}};
+    for (const std::uint32_t v : {a, b, c, d}) hints[v] = t;
+    return t;
+}
+
+void LinkedTetrahedra::remove(std::uint32_t tetrahedron) {
+    tetrahedra[tetrahedron].v[0] = no_index;
+    free_slots.push_back(tetrahedron);
+}
+
+}  // namespace mgdt
