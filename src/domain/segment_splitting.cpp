@@ -25,7 +25,7 @@ class Splitting {
           most_work_(most_work),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
-          result_(allocator_),
+          result_(points.allocator()),  // it may outlive the triangulation
           parts_(result_.parts),
           suspects_(allocator_),
           splits_(allocator_),
