@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 # In the order of the menu.
-THEORY = ["predicates", "triangulation", "cells", "values", "domains", "boxes", "parts"]
+THEORY = ["predicates", "triangulation", "cells", "values", "domains", "improvement", "boxes", "parts"]
 DOCUMENTS = ["README", "installation", "periodic", "mesh", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
              "performance", "trust", "theory", *(f"theory/{name}" for name in THEORY), "paper", "architecture", "files", "glossary", "experiments", "security", "abi",
              "contributing", "changelog"]

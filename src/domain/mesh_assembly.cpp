@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "predicates/predicates.hpp"
+#include "solid/sorted_corners.hpp"
 
 namespace mgdt {
 namespace {
@@ -27,26 +28,6 @@ class Assembly {
     }
 
   private:
-    // A tetrahedron or a face for sorting: its corners in ascending order, and its number.
-    template <int n>
-    struct Record {
-        std::uint32_t v[n];
-        std::uint32_t from;
-        bool is_odd;  // whether sorting has changed the orientation
-
-        friend bool operator<(const Record& a, const Record& b) {
-            return std::lexicographical_compare(a.v, a.v + n, b.v, b.v + n);
-        }
-        void sort() {
-            is_odd = false;
-            for (int i = 1; i < n; ++i)
-                for (int j = i; j > 0 && v[j] < v[j - 1]; --j) {
-                    std::swap(v[j], v[j - 1]);
-                    is_odd = !is_odd;
-                }
-        }
-    };
-
     // The index of a vertex of the mesh among the points that are returned.
     std::uint32_t index(std::uint32_t v) const {
         const std::size_t distinct = parts_.complex.point_of_number.size();
@@ -60,11 +41,11 @@ class Assembly {
 
     void write_tetrahedra() {
         const auto& tetrahedra = parts_.mesh.tetrahedra;
-        Buffer<Record<4>> records(allocator_);
+        Buffer<SortedCorners<4>> records(allocator_);
         for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
             if (tetrahedra[t].is_dead() || parts_.regions.of_tetrahedron[t] == Regions::outside)
                 continue;
-            Record<4> record = {{}, t, false};
+            SortedCorners<4> record = {{}, t, false};
             for (int i = 0; i < 4; ++i) record.v[i] = index(tetrahedra[t].v[i]);
             record.sort();
             records.push_back(record);
@@ -75,7 +56,7 @@ class Assembly {
         // Regions are numbered in the order of their first tetrahedra.
         Buffer<std::uint32_t> region(allocator_);
         region.resize(parts_.regions.markers.size(), no_index);
-        for (Record<4>& record : records) {
+        for (SortedCorners<4>& record : records) {
             if (record.is_odd) std::swap(record.v[2], record.v[3]);
             const ConstrainedMesh::Tetrahedron& t = tetrahedra[record.from];
             for (const std::uint32_t v : record.v) {
@@ -96,22 +77,22 @@ class Assembly {
 
     void write_faces() {
         const auto& tetrahedra = parts_.mesh.tetrahedra;
-        Buffer<Record<3>> records(allocator_);
+        Buffer<SortedCorners<3>> records(allocator_);
         for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
             for (unsigned i = 0; i < 4 && !tetrahedra[t].is_dead(); ++i) {
                 const std::uint32_t code = 4 * t + i, other = tetrahedra[t].n[i];
                 if (tetrahedra[t].facets[i] == no_index || (other != no_index && other < code))
                     continue;
-                Record<3> record = {{}, code, false};
+                SortedCorners<3> record = {{}, code, false};
                 for (int k = 0; k < 3; ++k) record.v[k] = index(tetrahedra[t].v[outer_face[i][k]]);
                 record.sort();
                 records.push_back(record);
             }
         std::sort(records.begin(), records.end());
-        for (const Record<3>& record : records) write_face(record);
+        for (const SortedCorners<3>& record : records) write_face(record);
     }
 
-    void write_face(const Record<3>& record) {
+    void write_face(const SortedCorners<3>& record) {
         const std::uint32_t code = record.from;
         const ConstrainedMesh::Tetrahedron& t = parts_.mesh.of(code);
         const PlanarFacets::Facet& facet = parts_.facets.facets[t.facets[code % 4]];

@@ -81,7 +81,7 @@ class MeshCheck {
     // Checks that points are on the grid, and that each Steiner point divides its edge.
     void check_points() const {
         const std::size_t given = mesh_.points.size() / 3 - mesh_.steiner_parameters.size();
-        for (std::size_t i = 0; i < 3 * given; ++i)
+        for (std::size_t i = 0; i < 3 * given && mesh_.is_delaunay; ++i)
             if (mesh_.exact_points[i] != mesh_.grid.round(mesh_.points[i]))
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld is not where it was", number(i / 3));
         for (std::size_t i = 0; i < mesh_.point_origins.size(); ++i) {
@@ -90,7 +90,7 @@ class MeshCheck {
                           : origin != no_index)
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
         }
-        for (std::size_t i = 0; i < mesh_.steiner_parameters.size(); ++i) {
+        for (std::size_t i = 0; i < mesh_.steiner_parameters.size() && mesh_.is_delaunay; ++i) {
             progress_.step(i, 0, mesh_.steiner_parameters.size());
             const std::uint32_t* const ends = mesh_.steiner_edges.begin() + 2 * i;
             const double t = mesh_.steiner_parameters[i];
@@ -230,8 +230,8 @@ class MeshCheck {
         if (mesh_.regions[t] != mesh_.regions[next])
             fail(MGDT_ERR_CHECK_FAILED, "tetrahedra %lld and %lld are in different regions",
                  number(t), number(next));
-        if (side_of_sphere_perturbed(exact(v[0]), exact(v[1]), exact(v[2]), exact(v[3]),
-                                     exact(apex)) > 0)
+        if (mesh_.is_delaunay && side_of_sphere_perturbed(exact(v[0]), exact(v[1]), exact(v[2]),
+                                                          exact(v[3]), exact(apex)) > 0)
             fail(MGDT_ERR_CHECK_FAILED, "point %lld is in the sphere of tetrahedron %lld",
                  number(apex), number(t));
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "platform/hash.hpp"
 #include "platform/number_table.hpp"
@@ -26,6 +27,10 @@ class PairTable {
             table_.number(hash(pair), [&](std::uint32_t i) { return is_same(pairs_[i], pair); });
         if (number == pairs_.size()) pairs_.push_back(pair);
         return number;
+    }
+    // The pair with a number, the lesser point first.
+    std::pair<std::uint32_t, std::uint32_t> pair(std::uint32_t number) const noexcept {
+        return {pairs_[number].a, pairs_[number].b};
     }
     // The number of a pair, or `no_index`.
     std::uint32_t find(std::uint32_t a, std::uint32_t b) const noexcept {

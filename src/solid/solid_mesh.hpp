@@ -42,7 +42,7 @@ struct SolidMesh {
 
     // The caller's points come first, then the Steiner points.
     Buffer<double> points;
-    Buffer<double> exact_points;  // those on the grid, in steps
+    Buffer<double> exact_points;  // those on the grid, in steps; or the points themselves
     Buffer<std::uint32_t>
         point_origins;                 // the caller's point, of equal ones the first; or `no_index`
     Buffer<std::uint32_t> tetrahedra;  // 4 corners, positively oriented
@@ -58,7 +58,9 @@ struct SolidMesh {
     Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
-    bool is_rounded = false;              // whether the caller's points are rounded to the grid
+    // Whether the mesh is constrained Delaunay, and its points are on the grid.
+    bool is_delaunay = true;
+    bool is_rounded = false;  // whether the caller's points are rounded to the grid
     RoundingGrid grid{0.0, RoundingGrid::usual_bits};
     // What the caller has set and the mesh does not use, by the caller's numbers: points that are
     // no corner of a tetrahedron and are not equal to one, places of regions, and holes. Also the

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A mesh in the form in which improvement changes it.
+#pragma once
+
+#include "improvement/change.hpp"
+#include "solid/linked_tetrahedra.hpp"
+#include "solid/pair_table.hpp"
+#include "solid/solid_mesh.hpp"
+#include "solid/sorted_corners.hpp"
+
+namespace mgdt {
+
+class FlexibleMesh : public LinkedTetrahedra {
+  public:
+    // The facet that a face is a part of, from one side: twice the label of the facet, plus 0 for
+    // the tetrahedron from which the corners of the facet appear counter-clockwise, 1 for the
+    // other.
+    using Side = std::uint32_t;
+    static constexpr std::uint32_t label_of(Side side) noexcept { return side / 2; }
+
+    FlexibleMesh(const SolidMesh& from, Allocator& allocator);
+
+    Allocator& allocator() const noexcept { return allocator_; }
+    const double* point(std::uint32_t v) const noexcept { return x.begin() + 3 * std::size_t{v}; }
+    double quality(const std::uint32_t (&v)[4]) const noexcept {
+        return quality_of(v[0], v[1], v[2], v[3]);
+    }
+    double quality_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                      std::uint32_t d) const noexcept;
+
+    // Applies a change. Returns false, and changes nothing, if the new tetrahedra do not have the
+    // same outer faces as those that they replace. Faces of facets may differ, also where the mesh
+    // ends: the change names those that come, and says how many are lost.
+    bool apply(const Change& change);
+
+    // Writes the points, and tetrahedra and faces, sorted as those of a domain's mesh are. `to` is
+    // the mesh from which this one was made; what else it has stays.
+    void write(SolidMesh& to) const;
+
+    // For tetrahedra, beside the links.
+    Buffer<std::uint32_t> regions;
+    Buffer<double> qualities;
+
+    Buffer<double> x;  // coordinates times a power of two, so that the largest one is about 1
+    PairTable edges;   // of segments and of the edges of facets, which stay
+
+    struct Label {
+        std::uint32_t facet;
+        std::int32_t marker;
+    };
+    Buffer<Label> labels;
+
+  private:
+    // A face of a tetrahedron that leaves or comes. `corners.from` of a new face is 4 times the
+    // number of the new tetrahedron plus the position, that of an outer face is the code behind it,
+    // or no_index.
+    struct Face {
+        SortedCorners<3> corners;
+        bool is_new;
+        Side side;  // of an outer face, as the tetrahedron that leaves has it
+
+        friend bool operator<(const Face& a, const Face& b) { return a.corners < b.corners; }
+    };
+    static Face make_face(const std::uint32_t (&v)[4], unsigned position) noexcept;
+    void collect_faces(const Change& change);
+    bool pair_faces(const Change& change);
+    void read_faces(const SolidMesh& from);
+    void write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const;
+
+    // A link of a new tetrahedron: the code of another new one, or of what is outside.
+    struct Link {
+        std::uint32_t code;
+        bool is_new;
+        Side side;
+    };
+    Allocator& allocator_;
+    int scale_ = 0;  // x is the coordinates times 2^-scale_
+    Buffer<Face> faces_;
+    Buffer<Link> links_;
+    Buffer<std::uint32_t> slots_;
+    std::size_t inner_sides_ = 0;  // of faces of facets between tetrahedra that leave
+    Buffer<std::uint8_t> leaves_;  // marks the tetrahedra that leave
+};
+
+}  // namespace mgdt

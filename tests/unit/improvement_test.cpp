@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// Operations that improve a mesh: each keeps it a mesh of the same regions, and makes its worst
+// tetrahedra better.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "improvable_meshes.hpp"
+#include "improvement/flips.hpp"
+#include "improvement/quality.hpp"
+#include "improvement/quality_gradient.hpp"
+#include "improvement/smoothing.hpp"
+#include "mesh_volumes.hpp"
+#include "predicates/predicates.hpp"
+#include "query/tetrahedron_measures.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double all = 2;  // a goal that no tetrahedron reaches
+
+double sine_of(double degrees) {
+    return std::sin(degrees * std::acos(-1.0) / 180);
+}
+
+// A whole pass of all operations.
+void improve(FlexibleMesh& mesh, bool slides, double goal, int passes, unsigned threads) {
+    Team team(threads);
+    ChangeRound round(mesh, team);
+    Flips flips(mesh, team, round, slides);
+    Buffer<std::uint8_t> stays(mesh.allocator());
+    stays.resize(mesh.x.size() / 3, 0);
+    Buffer<VertexClass> classes(mesh.allocator());
+    classify_vertices(mesh, stays, slides, classes);
+    Smoothing smoothing(mesh, team, classes);
+    for (int i = 0; i < passes; ++i) {
+        flips.pass(goal, Unwatched());
+        smoothing.pass(goal, Unwatched());
+    }
+}
+
+double worst_of(const FlexibleMesh& mesh) {
+    double worst = all;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        if (!mesh.tetrahedra[t].is_dead()) worst = std::min(worst, mesh.qualities[t]);
+    return worst;
+}
+
+// Links are mutual, the sides of faces belong together, and qualities are those of the corners.
+void expect_sound(const FlexibleMesh& mesh) {
+    for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const FlexibleMesh::Tetrahedron& one = mesh.tetrahedra[t];
+        if (one.is_dead()) continue;
+        ASSERT_EQ(mesh.qualities[t], mesh.quality(one.v));
+        for (unsigned i = 0; i < 4; ++i) {
+            ASSERT_TRUE(mesh.tetrahedra[mesh.hints[one.v[i]]].has(one.v[i]));
+            ASSERT_FALSE(mesh.tetrahedra[mesh.hints[one.v[i]]].is_dead());
+            if (one.n[i] == no_index) {
+                ASSERT_NE(one.facets[i], no_index) << "the mesh ends at a face of no facet";
+                continue;
+            }
+            const FlexibleMesh::Tetrahedron& other = mesh.of(one.n[i]);
+            ASSERT_FALSE(other.is_dead());
+            ASSERT_EQ(other.n[one.n[i] % 4], 4 * t + i);
+            ASSERT_EQ(other.facets[one.n[i] % 4],
+                      one.facets[i] == no_index ? no_index : one.facets[i] ^ 1);
+            for (unsigned k = 0; k < 4; ++k) {
+                ASSERT_EQ(other.has(one.v[k]), k != i);
+            }
+        }
+    }
+}
+
+// Six times the volume of each region, and twice the area of each facet as a vector.
+struct Sums {
+    std::map<std::uint32_t, Rational> volumes;
+    std::map<std::uint32_t, std::vector<Rational>> areas;
+};
+
+Sums sums_of(const SolidMesh& m) {
+    Sums sums;
+    const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
+    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
+        const std::uint32_t* const v = m.tetrahedra.begin() + 4 * t;
+        sums.volumes[m.regions[t]] += determinant(point(v[1]), point(v[2]), point(v[3])) -
+                                      determinant(point(v[0]), point(v[2]), point(v[3])) +
+                                      determinant(point(v[0]), point(v[1]), point(v[3])) -
+                                      determinant(point(v[0]), point(v[1]), point(v[2]));
+    }
+    for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
+        const double* const p[3] = {point(m.faces[3 * f]), point(m.faces[3 * f + 1]),
+                                    point(m.faces[3 * f + 2])};
+        std::vector<Rational>& area = sums.areas[m.face_facets[f]];
+        area.resize(3);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto along = [&](int i, std::size_t axis) {
+                return Rational(p[i][axis % 3]) - Rational(p[0][axis % 3]);
+            };
+            area[k] += along(1, k + 1) * along(2, k + 2) - along(1, k + 2) * along(2, k + 1);
+        }
+    }
+    return sums;
+}
+
+void expect_equal(const SolidMesh& a, const SolidMesh& b) {
+    const auto equal = [](const auto& one, const auto& other) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end());
+    };
+    EXPECT_TRUE(equal(a.points, b.points));
+    EXPECT_TRUE(equal(a.tetrahedra, b.tetrahedra));
+    EXPECT_TRUE(equal(a.neighbors, b.neighbors));
+    EXPECT_TRUE(equal(a.regions, b.regions));
+    EXPECT_TRUE(equal(a.faces, b.faces));
+    EXPECT_TRUE(equal(a.face_tetrahedra, b.face_tetrahedra));
+    EXPECT_TRUE(equal(a.face_facets, b.face_facets));
+    EXPECT_TRUE(equal(a.face_markers, b.face_markers));
+    EXPECT_TRUE(equal(a.unused_faces, b.unused_faces));
+}
+
+// A copy of a mesh, with a memory of its own.
+struct Copy {
+    explicit Copy(const SolidMesh& from) : mesh(memory) {
+        mesh.points.copy(from.points);
+        mesh.exact_points.copy(from.exact_points);
+        mesh.point_origins.copy(from.point_origins);
+        mesh.tetrahedra.copy(from.tetrahedra);
+        mesh.neighbors.copy(from.neighbors);
+        mesh.regions.copy(from.regions);
+        mesh.region_markers.copy(from.region_markers);
+        mesh.faces.copy(from.faces);
+        mesh.face_tetrahedra.copy(from.face_tetrahedra);
+        mesh.face_facets.copy(from.face_facets);
+        mesh.face_markers.copy(from.face_markers);
+        mesh.edges.copy(from.edges);
+        mesh.edge_segments.copy(from.edge_segments);
+        mesh.edge_markers.copy(from.edge_markers);
+        mesh.steiner_edges.copy(from.steiner_edges);
+        mesh.steiner_parameters.copy(from.steiner_parameters);
+        mesh.unused_faces.copy(from.unused_faces);
+        mesh.is_rounded = from.is_rounded;
+        mesh.grid = from.grid;
+    }
+    Allocator memory;
+    SolidMesh mesh;
+};
+
+TEST(Quality, IsTheLeastSine) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    Allocator memory;
+    for (int i = 0; i < 1000; ++i) {
+        double p[4][3];
+        for (auto& point : p)
+            for (double& x : point) x = coordinate(random);
+        if (i % 10 == 0)  // nearly flat
+            for (int k = 0; k < 3; ++k)
+                p[3][k] = p[0][k] + (p[1][k] - p[0][k]) * 0.3 + (p[2][k] - p[0][k]) * 0.4 +
+                          1e-5 * coordinate(random);
+        const double here = quality_of(p[0], p[1], p[2], p[3]),
+                     turned = quality_of(p[1], p[0], p[2], p[3]);
+        ASSERT_TRUE((here > 0) != (turned > 0));
+        const double* const positive[4] = {here > 0 ? p[0] : p[1], here > 0 ? p[1] : p[0], p[2],
+                                           p[3]};
+        const auto measure = [&](TetrahedronMeasure of) {
+            return measure_tetrahedron({positive[0], positive[1], positive[2], positive[3]}, 0, of,
+                                       memory);
+        };
+        const double least = std::sin(measure(TetrahedronMeasure::least_dihedral_angle)),
+                     largest = measure(TetrahedronMeasure::largest_dihedral_angle);
+        const double expected =
+            largest > std::acos(0.0) ? std::min(least, obtuse_weight * std::sin(largest)) : least;
+        // Measures of angles are exact to 1e-12, and sines of small angles as well.
+        EXPECT_NEAR(std::sqrt(std::max(here, turned)), expected, 1e-9);
+    }
+}
+
+TEST(Quality, GradientsAreDifferences) {
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    int compared = 0;
+    for (int i = 0; i < 1000; ++i) {
+        double p[4][3];
+        for (auto& point : p)
+            for (double& x : point) x = coordinate(random);
+        const QualityGradient g = quality_gradient(p[0], p[1], p[2], p[3]);
+        ASSERT_NEAR(g.quality, quality_of(p[0], p[1], p[2], p[3]), 1e-12);
+        for (int k = 0; k < 3 && g.quality > 1e-3; ++k) {
+            constexpr double step = 0x1p-20;
+            double q[2];
+            for (int s = 0; s < 2; ++s) {
+                double at[3] = {p[0][0], p[0][1], p[0][2]};
+                at[k] += s == 0 ? -step : step;
+                const QualityGradient there = quality_gradient(at, p[1], p[2], p[3]);
+                // Where another angle becomes the worst, the gradient jumps.
+                if (std::fabs(there.by[k] - g.by[k]) > 0.01 * (1 + std::fabs(g.by[k])))
+                    q[s] = NAN;
+                else
+                    q[s] = there.quality;
+            }
+            const double by = (q[1] - q[0]) / (2 * step);
+            if (std::isnan(by)) continue;
+            ++compared;
+            EXPECT_NEAR(by, g.by[k], 1e-4 * (1 + std::fabs(g.by[k])));
+        }
+    }
+    EXPECT_GT(compared, 1000);
+}
+
+// Tetrahedra whose volume is 0 or negative, but rounds to a positive number.
+TEST(Quality, IsPositiveOnlyIfTheVolumeIs) {
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    double largest = 0;  // error of a volume, relative to the sum with all terms positive
+    for (int i = 0; i < 200000; ++i) {
+        double p[4][3];
+        for (auto& point : p)
+            for (double& x : point) x = coordinate(random);
+        const double s = coordinate(random), t = coordinate(random);
+        for (int k = 0; k < 3; ++k)
+            p[3][k] = p[0][k] + (p[1][k] - p[0][k]) * s + (p[2][k] - p[0][k]) * t;
+        double size;
+        const double rounded = rounded_volume(p[0], p[1], p[2], p[3], size);
+        const int sign = orientation(p[0], p[1], p[2], p[3]);
+        if (sign <= 0) {
+            ASSERT_EQ(quality_of(p[0], p[1], p[2], p[3]), 0);
+            if (rounded > 0) largest = std::max(largest, rounded / size);
+        }
+    }
+    // The bound is not much larger than errors are.
+    EXPECT_GT(largest, volume_error / 16);
+}
+
+TEST(FlexibleMesh, ReadsAndWritesMeshes) {
+    for_improvable_meshes([](const SolidMesh& given) {
+        Allocator memory;
+        const FlexibleMesh mesh(given, memory);
+        expect_sound(mesh);
+        Copy written(given);
+        mesh.write(written.mesh);
+        expect_equal(given, written.mesh);
+    });
+}
+
+// Volumes of regions and areas of facets are the same, in rationals, where the vertices that move
+// do so in planes with small integers.
+TEST(Improvement, KeepsRegionsAndFacets) {
+    for_improvable_meshes([](const SolidMesh& given) {
+        const Sums before = sums_of(given);
+        for (const bool slides : {false, true}) {
+            Allocator memory;
+            FlexibleMesh mesh(given, memory);
+            const double worst = worst_of(mesh);
+            improve(mesh, slides, all, 3, 1);
+            expect_sound(mesh);
+            EXPECT_GE(worst_of(mesh), worst);
+            Copy written(given);
+            mesh.write(written.mesh);
+            try {
+                check_mesh(written.mesh, 0, memory, Unwatched());
+            } catch (const Error& e) {
+                ADD_FAILURE() << e.message;
+            }
+            expect_equal_volumes(written.mesh);
+            const Sums after = sums_of(written.mesh);
+            if (!slides) {
+                EXPECT_EQ(before.volumes, after.volumes);
+                EXPECT_EQ(before.areas, after.areas);
+            }
+            for (const auto& [region, volume] : before.volumes)
+                EXPECT_NEAR(static_cast<double>(after.volumes.at(region) / volume), 1, 1e-12);
+            for (const auto& [facet, area] : before.areas)
+                for (std::size_t k = 0; k < 3; ++k)
+                    EXPECT_NEAR(static_cast<double>(after.areas.at(facet)[k] - area[k]), 0,
+                                1e-12 * std::fabs(given.points[0]) + 1e-12);
+        }
+    });
+}
+
+TEST(Improvement, ReachesTwentyDegreesInABox) {
+    MeshedDomain domain;
+    give(domain, gridded_box(8, 8, 8, 0.3, 11));
+    domain.build();
+    for (const bool slides : {false, true}) {
+        Allocator memory;
+        FlexibleMesh mesh(domain.mesh(), memory);
+        EXPECT_LT(worst_of(mesh), std::pow(sine_of(2), 2));
+        improve(mesh, slides, std::pow(sine_of(20), 2), 10, 1);
+        EXPECT_GE(worst_of(mesh), std::pow(sine_of(20), 2));
+    }
+}
+
+TEST(Improvement, IsTheSameForEachNumberOfThreads) {
+    MeshedDomain domain;
+    give(domain, gridded_box(10, 8, 8, 0.4, 12, true));
+    domain.build();
+    Copy expected(domain.mesh());
+    for (const unsigned threads : {1u, 2u, 3u, 5u, 16u}) {
+        Allocator memory;
+        FlexibleMesh mesh(domain.mesh(), memory);
+        improve(mesh, true, std::pow(sine_of(30), 2), 4, threads);
+        Copy written(domain.mesh());
+        mesh.write(written.mesh);
+        if (threads == 1) mesh.write(expected.mesh);
+        expect_equal(expected.mesh, written.mesh);
+    }
+}
+
+// A change whose tetrahedra do not fill the place of those that leave is refused, and leaves the
+// mesh as it was.
+TEST(Improvement, RefusesChangesThatDoNotFit) {
+    MeshedDomain domain;
+    give(domain, gridded_box(4, 4, 3, 0.4, 13, true));
+    domain.build();
+    Allocator memory;
+    FlexibleMesh mesh(domain.mesh(), memory);
+    EdgeRemoval edges(mesh, true);
+    FaceRemoval faces(mesh);
+    std::mt19937_64 random(14);
+    Copy before(domain.mesh());
+    mesh.write(before.mesh);
+    Change change(memory), wrong(memory);
+    int refused = 0;
+    for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t)
+        for (unsigned i = 0; i < 4; ++i) {
+            const bool is_found = random() % 2 == 0 ? edges.find(t, i, (i + 1) % 4, change)
+                                                    : faces.find(t, i, change);
+            if (!is_found) continue;
+            wrong.clear();
+            for (const std::uint32_t r : change.removed) wrong.removed.push_back(r);
+            for (const Change::Tetrahedron& a : change.added) wrong.added.push_back(a);
+            for (const Change::Face& f : change.faces) wrong.faces.push_back(f);
+            const std::size_t kinds = change.faces.empty() ? 4 : 5;
+            const std::size_t at = random() % wrong.added.size();
+            switch (random() % kinds) {
+                case 0:  // one too few
+                    wrong.added[at] = wrong.added.back();
+                    wrong.added.pop_back();
+                    break;
+                case 1: {  // twice
+                    const Change::Tetrahedron copy = wrong.added[at];
+                    wrong.added.push_back(copy);
+                    break;
+                }
+                case 2:
+                    std::swap(wrong.added[at].v[0], wrong.added[at].v[1]);
+                    break;
+                case 3:
+                    wrong.removed.pop_back();
+                    break;
+                default:
+                    wrong.faces.pop_back();
+                    break;
+            }
+            EXPECT_FALSE(mesh.apply(wrong));
+            ++refused;
+        }
+    EXPECT_GT(refused, 20);
+    expect_sound(mesh);
+    Copy after(domain.mesh());
+    mesh.write(after.mesh);
+    expect_equal(before.mesh, after.mesh);
+}
+
+}  // namespace
+}  // namespace mgdt
