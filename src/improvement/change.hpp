@@ -7,6 +7,9 @@
 namespace mgdt {
 
 struct Change {
+    // Stands for the vertex that comes with the change.
+    static constexpr std::uint32_t new_vertex = 0xFFFFFFFEu;
+
     struct Tetrahedron {
         std::uint32_t v[4];  // corners, positively oriented
         std::uint32_t region;
@@ -26,15 +29,19 @@ struct Change {
         removed.clear();
         added.clear();
         faces.clear();
-        lost_faces = 0;
+        more = {};
     }
     bool empty() const noexcept { return removed.empty(); }
 
     Buffer<std::uint32_t> removed;
     Buffer<Tetrahedron> added;
     Buffer<Face> faces;
-    // How many faces of facets more leave than come.
-    std::uint32_t lost_faces = 0;
+    struct More {
+        std::uint32_t lost_faces = 0;             // how many faces of facets more leave than come
+        std::uint32_t lost_vertex = 0xFFFFFFFFu;  // the vertex that leaves the mesh, or no_index
+        double place[3] = {0, 0, 0};              // of the new vertex, if corners name it
+    };
+    More more;
     double before = 0, after = 0;  // the worst qualities of the tetrahedra that leave and that come
 };
 
@@ -52,7 +59,7 @@ class ChangeList {
         faces_.clear();
     }
     void add(const Change& change) {
-        entries_.push_back({removed_.size(), added_.size(), faces_.size(), change.lost_faces,
+        entries_.push_back({removed_.size(), added_.size(), faces_.size(), change.more,
                             change.before, change.after});
         for (const std::uint32_t t : change.removed) removed_.push_back(t);
         for (const Change::Tetrahedron& t : change.added) added_.push_back(t);
@@ -70,7 +77,7 @@ class ChangeList {
             change.removed.push_back(removed_[k]);
         for (std::size_t k = from.added; k < added_end; ++k) change.added.push_back(added_[k]);
         for (std::size_t k = from.faces; k < faces_end; ++k) change.faces.push_back(faces_[k]);
-        change.lost_faces = from.lost_faces;
+        change.more = from.more;
         change.before = from.before;
         change.after = from.after;
     }
@@ -79,7 +86,7 @@ class ChangeList {
     // Where the lists of a change begin.
     struct Entry {
         std::size_t removed, added, faces;
-        std::uint32_t lost_faces;
+        Change::More more;
         double before, after;
     };
     Buffer<Entry> entries_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "improvement/change.hpp"
+#include "improvement/vertex_class.hpp"
 #include "solid/linked_tetrahedra.hpp"
 #include "solid/pair_table.hpp"
 #include "solid/solid_mesh.hpp"
@@ -31,7 +32,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     // Applies a change. Returns false, and changes nothing, if the new tetrahedra do not have the
     // same outer faces as those that they replace. Faces of facets may differ, also where the mesh
     // ends: the change names those that come, and says how many are lost.
-    bool apply(const Change& change);
+    bool apply(Change& change);
 
     // Writes the points, and tetrahedra and faces, sorted as those of a domain's mesh are. `to` is
     // the mesh from which this one was made; what else it has stays.
@@ -42,7 +43,9 @@ class FlexibleMesh : public LinkedTetrahedra {
     Buffer<double> qualities;
 
     Buffer<double> x;  // coordinates times a power of two, so that the largest one is about 1
-    PairTable edges;   // of segments and of the edges of facets, which stay
+    Buffer<VertexClass> classes;   // of vertices: all fixed until classify_vertices()
+    Buffer<std::uint8_t> is_lost;  // whether a vertex has left the mesh
+    PairTable edges;               // of segments and of the edges of facets, which stay
 
     struct Label {
         std::uint32_t facet;
@@ -64,8 +67,10 @@ class FlexibleMesh : public LinkedTetrahedra {
     static Face make_face(const std::uint32_t (&v)[4], unsigned position) noexcept;
     void collect_faces(const Change& change);
     bool pair_faces(const Change& change);
+    void add_vertex(Change& change);
     void read_faces(const SolidMesh& from);
     void write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const;
+    void write_points(SolidMesh& to) const;
 
     // A link of a new tetrahedron: the code of another new one, or of what is outside.
     struct Link {

@@ -83,4 +83,28 @@ inline double quality_of(const double* a, const double* b, const double* c,
     return product > least_product ? volume * volume * least / product : 0;
 }
 
+// What a quality misses to a goal: 0 from the goal on, and the more, the worse it is. At half of
+// the goal it is about 1, at the worst quality 100.
+inline double missing_to(double goal, double quality) noexcept {
+    constexpr double least_share = 0.01;
+    return quality < goal ? (1 + least_share) * goal / (quality + least_share * goal) - 1 : 0;
+}
+
+// Another measure of a tetrahedron, for means: the square of its volume over the third power of its
+// root mean square edge length, 1 for a regular tetrahedron (Parthasarathy, Graichen and Hathaway,
+// Finite Elements in Analysis and Design 15, 1994). The tetrahedron is positive.
+inline double volume_length_of(const double* a, const double* b, const double* c,
+                               const double* d) noexcept {
+    double size;
+    const double volume = rounded_volume(a, b, c, d, size);
+    const double* const p[4] = {a, b, c, d};
+    double squares = 0;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < i; ++j)
+            for (int k = 0; k < 3; ++k) squares += (p[i][k] - p[j][k]) * (p[i][k] - p[j][k]);
+    const double cube = squares * squares * squares;
+    // (6 sqrt(2) V)^2 = 2 (6 V)^2, and the mean square is a sixth of the sum.
+    return cube > least_product ? 432 * volume * volume / cube : 0;
+}
+
 }  // namespace mgdt

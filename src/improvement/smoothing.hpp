@@ -2,7 +2,8 @@
 // Moves vertices so that the worst tetrahedra at them become better.
 #pragma once
 
-#include "improvement/vertex_classes.hpp"
+#include "improvement/flexible_mesh.hpp"
+#include "improvement/place_search.hpp"
 #include "improvement/vertex_star.hpp"
 #include "parallel/per_member.hpp"
 #include "platform/stage_progress.hpp"
@@ -11,10 +12,9 @@ namespace mgdt {
 
 class Smoothing {
   public:
-    Smoothing(FlexibleMesh& mesh, Team& team, const Buffer<VertexClass>& classes)
+    Smoothing(FlexibleMesh& mesh, Team& team)
         : mesh_(mesh),
           team_(team),
-          classes_(classes),
           movers_(team, mesh.allocator(), &mesh.allocator()),
           candidates_(mesh.allocator()),
           stars_(mesh.allocator()),
@@ -22,19 +22,23 @@ class Smoothing {
           begin_of_color_(mesh.allocator()),
           order_(mesh.allocator()) {}
 
-    // Moves the vertices of the tetrahedra whose quality is below the goal, where that makes the
-    // worst tetrahedron of the star better. Returns the number of vertices that have moved.
-    std::size_t pass(double goal, StageProgress& progress);
-    std::size_t candidate_count() const noexcept { return candidates_.size(); }
+    // Moves the vertices of some tetrahedra where that makes the worst tetrahedron at the vertex
+    // better and the goal is not missed by more. With the goal 0, other tetrahedra may become worse
+    // than that. Returns the number of vertices that have moved.
+    std::size_t pass(const Buffer<std::uint32_t>& tetrahedra, double goal, StageProgress& progress);
+    // Moves the vertices of some tetrahedra where that makes the mean better, and none worse than
+    // the goal or the worst one at the vertex.
+    std::size_t pass_for_mean(const Buffer<std::uint32_t>& tetrahedra, double goal,
+                              StageProgress& progress);
 
   private:
     // What a thread works with.
     struct Mover {
         explicit Mover(Allocator* allocator)
-            : star(*allocator), tetrahedra(*allocator), qualities(*allocator) {}
+            : star(*allocator), search(*allocator), tetrahedra(*allocator) {}
         VertexStar star;
+        PlaceSearch search;
         Buffer<std::uint32_t> tetrahedra;  // of all stars that the thread has collected
-        Buffer<double> qualities;          // of the star at the place that is tried
         std::size_t moved = 0;
     };
     // Where the star of a candidate is.
@@ -43,17 +47,20 @@ class Smoothing {
         std::uint32_t member, size;
     };
 
-    void choose_candidates(double goal);
+    void choose_candidates(const Buffer<std::uint32_t>& tetrahedra);
     void collect_stars(StageProgress& progress);
     void color();
-    bool smooth(std::uint32_t candidate, Mover& mover);
+    template <class Search>
+    std::size_t move_all(const Buffer<std::uint32_t>& tetrahedra, StageProgress& progress,
+                         const Search& search);
+    template <class Search>
+    bool move(std::uint32_t candidate, Mover& mover, const Search& search);
     const std::uint32_t* tetrahedra_of(const Star& star) const noexcept {
         return movers_[star.member].tetrahedra.begin() + star.begin;
     }
 
     FlexibleMesh& mesh_;
     Team& team_;
-    const Buffer<VertexClass>& classes_;
     PerMember<Mover> movers_;
     Buffer<std::uint32_t> candidates_;
     Buffer<Star> stars_;                    // of each candidate

@@ -44,8 +44,7 @@ bool find_line(const FlexibleMesh& mesh, std::uint32_t v, const std::uint32_t (&
 
 }  // namespace
 
-void classify_vertices(const FlexibleMesh& mesh, const Buffer<std::uint8_t>& stays, bool slides,
-                       Buffer<VertexClass>& classes) {
+void classify_vertices(FlexibleMesh& mesh, const Buffer<Permission>& permissions, bool slides) {
     const std::size_t count = mesh.x.size() / 3;
     Buffer<Surroundings> around(mesh.allocator());
     around.resize(count, {});
@@ -88,12 +87,11 @@ void classify_vertices(const FlexibleMesh& mesh, const Buffer<std::uint8_t>& sta
             ++s.edges;
         }
     }
-    classes.clear();
-    classes.resize(count, {Freedom::fixed, {0, 0, 0}});
     for (std::uint32_t v = 0; v < count; ++v) {
         const Surroundings& s = around[v];
-        VertexClass& c = classes[v];
-        if (stays[v] != 0 || mesh.hints[v] == no_tetrahedron) continue;
+        VertexClass& c = mesh.classes[v];
+        c = {Freedom::fixed, permissions[v] == Permission::to_leave, {0, 0, 0}};
+        if (permissions[v] == Permission::none || mesh.hints[v] == no_tetrahedron) continue;
         if (s.edges == 0 && s.label == no_index) {
             c.freedom = Freedom::free;
         } else if (!slides) {

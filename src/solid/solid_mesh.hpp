@@ -58,7 +58,7 @@ struct SolidMesh {
     Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
-    // Whether the mesh is constrained Delaunay, and its points are on the grid.
+    // Whether the mesh is constrained Delaunay, has all points, and these are on the grid.
     bool is_delaunay = true;
     bool is_rounded = false;  // whether the caller's points are rounded to the grid
     RoundingGrid grid{0.0, RoundingGrid::usual_bits};

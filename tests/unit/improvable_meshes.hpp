@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/small.h"
 #include "surfaces.hpp"
 
 namespace mgdt {
@@ -84,7 +85,9 @@ inline std::vector<Surface> improvable_surfaces() {
 // A mesh of each surface.
 template <class Test>
 void for_improvable_meshes(const Test& test) {
-    for (const Surface& s : improvable_surfaces()) {
+    const std::vector<Surface> surfaces = improvable_surfaces();
+    for (int i = 0; i < fewer(static_cast<int>(surfaces.size())); ++i) {
+        const Surface& s = surfaces[static_cast<std::size_t>(i)];
         SCOPED_TRACE(s.name);
         MeshedDomain domain;
         give(domain, s);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Contracts an edge: one of its ends leaves the mesh, and the tetrahedra at it go to the other end.
+#pragma once
+
+#include "improvement/flexible_mesh.hpp"
+#include "improvement/vertex_star.hpp"
+
+namespace mgdt {
+
+class EdgeContraction {
+  public:
+    explicit EdgeContraction(const FlexibleMesh& mesh) : mesh_(mesh), star_(mesh.allocator()) {}
+
+    // Contracts the edge between corners i and j of tetrahedron t to corner j. Returns whether the
+    // tetrahedra at the vertex that leaves were all worse than the worst one that comes.
+    bool find(std::uint32_t t, unsigned i, unsigned j, Change& change);
+
+  private:
+    const FlexibleMesh& mesh_;
+    VertexStar star_;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "improvement/improver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mgdt {
+
+bool Improver::find_flip(std::uint32_t t, Finder& finder, Change& best) const {
+    best.clear();
+    best.after = 0;
+    const auto keep = [&](bool is_found) {
+        if (is_found && finder.other.after > best.after) std::swap(best, finder.other);
+    };
+    for (unsigned i = 0; i < 4; ++i)
+        for (unsigned j = i + 1; j < 4; ++j) keep(finder.edges.find(t, i, j, finder.other));
+    for (unsigned i = 0; i < 4; ++i) keep(finder.faces.find(t, i, finder.other));
+    return !best.empty();
+}
+
+bool Improver::find_contraction(std::uint32_t t, Finder& finder, Change& best) const {
+    best.clear();
+    best.after = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        for (unsigned j = 0; j < 4; ++j)
+            if (i != j && finder.contraction.find(t, i, j, finder.other) &&
+                finder.other.after > best.after)
+                std::swap(best, finder.other);
+    return !best.empty();
+}
+
+std::size_t Improver::flip(StageProgress& progress) {
+    return round_.run(candidates_.size(), progress,
+                      [&](std::size_t k, unsigned member, Change& change) {
+                          return find_flip(candidates_[k], finders_[member], change);
+                      });
+}
+
+std::size_t Improver::contract(StageProgress& progress) {
+    return round_.run(candidates_.size(), progress,
+                      [&](std::size_t k, unsigned member, Change& change) {
+                          return find_contraction(candidates_[k], finders_[member], change);
+                      });
+}
+
+std::size_t Improver::insert(StageProgress& progress) {
+    return round_.run(candidates_.size(), progress,
+                      [&](std::size_t k, unsigned member, Change& change) {
+                          return finders_[member].insertion.find(candidates_[k], goal_, change);
+                      });
+}
+
+std::size_t Improver::smooth(StageProgress& progress) {
+    return smoothing_.pass(candidates_, pushes_ ? 0 : goal_, progress);
+}
+
+std::size_t Improver::smooth_mean(StageProgress& progress) {
+    return smoothing_.pass_for_mean(candidates_, settings_.goal, progress);
+}
+
+double Improver::choose(double quality) {
+    goal_ = quality;
+    candidates_.clear();
+    double missing = 0;
+    for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        const FlexibleMesh::Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
+        if (tetrahedron.is_dead() || !(mesh_.qualities[t] < quality)) continue;
+        if (rings_ > 0 && std::all_of(tetrahedron.v, tetrahedron.v + 4,
+                                      [&](std::uint32_t v) { return is_near_[v] == 0; }))
+            continue;
+        missing += 1 - mesh_.qualities[t] / quality;
+        candidates_.push_back(t);
+    }
+    return missing;
+}
+
+// Marks the vertices within some rings of the tetrahedra below a quality.
+void Improver::choose_near(double quality, int rings) {
+    rings_ = 0;
+    choose(quality);
+    rings_ = rings;
+    is_near_.clear();
+    is_near_.resize(mesh_.hints.size(), 0);
+    for (const std::uint32_t t : candidates_)
+        for (const std::uint32_t v : mesh_.tetrahedra[t].v) is_near_[v] = 1;
+    for (std::uint8_t ring = 1; ring < rings; ++ring)
+        for (const FlexibleMesh::Tetrahedron& t : mesh_.tetrahedra) {
+            if (t.is_dead() || std::all_of(t.v, t.v + 4, [&](std::uint32_t v) {
+                    return is_near_[v] == 0 || is_near_[v] > ring;
+                }))
+                continue;
+            for (const std::uint32_t v : t.v)
+                if (is_near_[v] == 0) is_near_[v] = static_cast<std::uint8_t>(ring + 1);
+        }
+}
+
+// All operations once. Returns by how much tetrahedra miss the quality afterwards.
+double Improver::pass(double quality, bool inserts, StageProgress& progress) {
+    choose(quality);
+    flip(progress);
+    choose(quality);
+    smooth(progress);
+    choose(quality);
+    contract(progress);
+    choose(quality);
+    smooth(progress);
+    if (inserts) {
+        choose(quality);
+        insert(progress);
+        choose(quality);
+        smooth(progress);
+    }
+    return choose(quality);
+}
+
+// Flips alone, while more than one tetrahedron in 50 can be improved by them.
+void Improver::flip_most(StageProgress& progress) {
+    constexpr std::size_t least_share = 50;
+    std::size_t flips = 0;
+    do {
+        choose(settings_.goal);
+        flips = flip(progress);
+    } while (flips * least_share > candidates_.size());
+}
+
+// Passes of all operations, until nothing is below the goal or nothing helps. What helps where less
+// does not: moves that push other tetrahedra below the goal, then insertions, then a higher goal
+// around what is left.
+void Improver::reach_goal(StageProgress& progress) {
+    constexpr double least_gain = 0.05;
+    constexpr int first_rings = 2, last_rings = 5, passes_with_raised_goal = 3;
+    const double goal = settings_.goal;
+    int rings = first_rings, stage = 0;
+    double missing = choose(goal);
+    for (int i = 0; i < settings_.most_passes && missing > 0; ++i) {
+        const double before = missing;
+        pushes_ = stage == 1;
+        missing = pass(goal, stage >= 2, progress);
+        pushes_ = false;
+        if (missing < (1 - least_gain) * before) {
+            stage = std::max(0, stage - 1);
+            continue;
+        }
+        if (++stage < 4) continue;
+        if (rings > last_rings) break;
+        choose_near(goal, rings);
+        for (int k = 0; k < passes_with_raised_goal; ++k)
+            pass(settings_.raised_goal, true, progress);
+        rings_ = 0;
+        ++rings;
+        stage = 0;
+        missing = choose(goal);
+    }
+}
+
+void Improver::run(StageProgress& progress) {
+    constexpr double all = 2;
+    flip_most(progress);
+    choose(settings_.goal);
+    smooth(progress);
+    reach_goal(progress);
+    for (int i = 0; i < settings_.mean_passes; ++i) {
+        choose(all);
+        smooth_mean(progress);
+    }
+    // Better tetrahedra around what is left may help.
+    if (settings_.mean_passes > 0 && choose(settings_.goal) > 0) reach_goal(progress);
+}
+
+}  // namespace mgdt

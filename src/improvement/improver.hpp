@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Improves a mesh until its tetrahedra reach a goal, or nothing helps any more.
+#pragma once
+
+#include "improvement/change_round.hpp"
+#include "improvement/edge_contraction.hpp"
+#include "improvement/edge_removal.hpp"
+#include "improvement/face_removal.hpp"
+#include "improvement/smoothing.hpp"
+#include "improvement/vertex_insertion.hpp"
+
+namespace mgdt {
+
+struct ImprovementSettings {
+    double goal = 0;         // a quality
+    double raised_goal = 0;  // the goal near tetrahedra for which nothing else helps
+    bool slides = false;     // whether edges inside of plane facets may change
+    int most_passes = 100;
+    int mean_passes = 5;
+};
+
+class Improver {
+  public:
+    Improver(FlexibleMesh& mesh, Team& team, const ImprovementSettings& settings)
+        : mesh_(mesh),
+          settings_(settings),
+          round_(mesh, team),
+          finders_(team, mesh.allocator(), &mesh, settings.slides),
+          smoothing_(mesh, team),
+          candidates_(mesh.allocator()),
+          is_near_(mesh.allocator()) {}
+
+    void run(StageProgress& progress);
+
+    // Single passes over the candidates. Each returns the number of changes.
+    std::size_t flip(StageProgress& progress);
+    std::size_t contract(StageProgress& progress);
+    std::size_t insert(StageProgress& progress);
+    std::size_t smooth(StageProgress& progress);
+    std::size_t smooth_mean(StageProgress& progress);
+    // Makes the tetrahedra below a quality the candidates. Returns by how much they miss it, all
+    // together, in units of the quality.
+    double choose(double quality);
+    std::size_t candidate_count() const noexcept { return candidates_.size(); }
+
+  private:
+    struct Finder {
+        Finder(const FlexibleMesh* mesh, bool slides)
+            : edges(*mesh, slides),
+              faces(*mesh),
+              contraction(*mesh),
+              insertion(*mesh),
+              other(mesh->allocator()) {}
+        EdgeRemoval edges;
+        FaceRemoval faces;
+        EdgeContraction contraction;
+        VertexInsertion insertion;
+        Change other;
+    };
+    bool find_flip(std::uint32_t t, Finder& finder, Change& best) const;
+    bool find_contraction(std::uint32_t t, Finder& finder, Change& best) const;
+    double pass(double quality, bool inserts, StageProgress& progress);
+    void choose_near(double quality, int rings);
+    void flip_most(StageProgress& progress);
+    void reach_goal(StageProgress& progress);
+
+    FlexibleMesh& mesh_;
+    const ImprovementSettings settings_;
+    ChangeRound round_;
+    PerMember<Finder> finders_;
+    Smoothing smoothing_;
+    Buffer<std::uint32_t> candidates_;  // tetrahedra
+    Buffer<std::uint8_t> is_near_;      // whether a vertex is near what is left
+    double goal_ = 0;                   // below which tetrahedra are candidates
+    bool pushes_ = false;               // whether moves may push other tetrahedra below the goal
+    int rings_ = 0;                     // 0 while all tetrahedra may be candidates
+};
+
+}  // namespace mgdt

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Makes a flexible mesh of a caller's mesh, and the other way round.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "improvement/flexible_mesh.hpp"
+
+namespace mgdt {
+
+FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
+    : LinkedTetrahedra(allocator),
+      regions(allocator),
+      qualities(allocator),
+      x(allocator),
+      classes(allocator),
+      is_lost(allocator),
+      edges(allocator),
+      labels(allocator),
+      allocator_(allocator),
+      faces_(allocator),
+      links_(allocator),
+      slots_(allocator),
+      leaves_(allocator) {
+    double largest = 0;
+    for (const double c : from.points) largest = std::max(largest, std::fabs(c));
+    if (largest > 0) std::frexp(largest, &scale_);
+    x.resize(from.points.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
+    is_lost.resize(x.size() / 3, 0);
+    classes.resize(x.size() / 3, {Freedom::fixed, false, {0, 0, 0}});
+    const auto count = static_cast<std::uint32_t>(from.tetrahedron_count());
+    tetrahedra.resize(count);
+    hints.resize(x.size() / 3, no_tetrahedron);
+    regions.resize(count);
+    qualities.resize(count);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        Tetrahedron& to = tetrahedra[t];
+        for (unsigned i = 0; i < 4; ++i) {
+            to.v[i] = from.tetrahedra[4 * std::size_t{t} + i];
+            to.facets[i] = no_index;
+            hints[to.v[i]] = t;
+            const std::uint32_t next = from.neighbors[4 * std::size_t{t} + i];
+            to.n[i] = no_index;
+            if (next == no_index) continue;
+            const std::uint32_t* const back = from.neighbors.begin() + 4 * std::size_t{next};
+            to.n[i] = 4 * next + static_cast<std::uint32_t>(std::find(back, back + 4, t) - back);
+        }
+        regions[t] = from.regions[t];
+        qualities[t] = quality(to.v);
+    }
+    read_faces(from);
+    for (std::size_t i = 0; i < from.edges.size(); i += 2)
+        edges.add(from.edges[i], from.edges[i + 1]);
+}
+
+void FlexibleMesh::read_faces(const SolidMesh& from) {
+    // Facets get labels in the order of their numbers.
+    for (std::size_t f = 0; f < from.face_facets.size(); ++f)
+        labels.push_back({from.face_facets[f], from.face_markers[f]});
+    const auto is_before = [](const Label& a, const Label& b) { return a.facet < b.facet; };
+    std::sort(labels.begin(), labels.end(), is_before);
+    Label* const end =
+        std::unique(labels.begin(), labels.end(),
+                    [](const Label& a, const Label& b) { return a.facet == b.facet; });
+    labels.resize(static_cast<std::size_t>(end - labels.begin()));
+    for (std::size_t f = 0; f < from.face_facets.size(); ++f) {
+        const Label* const label = std::lower_bound(labels.begin(), labels.end(),
+                                                    Label{from.face_facets[f], 0}, is_before);
+        const auto number = static_cast<std::uint32_t>(label - labels.begin());
+        const std::uint32_t* const corner = from.faces.begin() + 3 * f;
+        for (std::uint32_t side = 0; side < 2; ++side) {
+            const std::uint32_t t = from.face_tetrahedra[2 * f + side];
+            if (t == no_index) continue;
+            unsigned i = 0;
+            while (std::find(corner, corner + 3, tetrahedra[t].v[i]) != corner + 3) ++i;
+            tetrahedra[t].facets[i] = 2 * number + side;
+        }
+    }
+}
+
+void FlexibleMesh::write(SolidMesh& to) const {
+    Buffer<SortedCorners<4>> records(allocator_);
+    for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
+        if (tetrahedra[t].is_dead()) continue;
+        const std::uint32_t(&v)[4] = tetrahedra[t].v;
+        SortedCorners<4> record = {{v[0], v[1], v[2], v[3]}, t, false};
+        record.sort();
+        records.push_back(record);
+    }
+    std::sort(records.begin(), records.end());
+    Buffer<std::uint32_t> number(allocator_);
+    number.resize(tetrahedra.size(), no_index);
+    for (std::uint32_t i = 0; i < records.size(); ++i) number[records[i].from] = i;
+    const auto number_behind = [&](std::uint32_t code) {
+        return code == no_index ? no_index : number[code / 4];
+    };
+    to.tetrahedra.clear();
+    to.neighbors.clear();
+    to.regions.clear();
+    for (SortedCorners<4>& record : records) {
+        if (record.is_odd) std::swap(record.v[2], record.v[3]);
+        const Tetrahedron& t = tetrahedra[record.from];
+        for (const std::uint32_t v : record.v) {
+            to.tetrahedra.push_back(v);
+            to.neighbors.push_back(number_behind(t.n[t.position(v)]));
+        }
+        to.regions.push_back(regions[record.from]);
+    }
+    write_faces(number, to);
+    write_points(to);
+}
+
+// Writes the faces at tetrahedra. Those at none stay.
+void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const {
+    struct Source {
+        Label label;
+        std::uint32_t ends[2];
+        bool turns;  // whether the direction of the corners is the reverse of the sorted one
+    };
+    Buffer<SortedCorners<3>> records(allocator_);
+    Buffer<Source> sources(allocator_);
+    const auto add = [&](SortedCorners<3> record, const Source& source) {
+        record.from = static_cast<std::uint32_t>(sources.size());
+        records.push_back(record);
+        sources.push_back(source);
+    };
+    for (std::size_t f = 0; f < to.face_facets.size(); ++f) {
+        if (to.face_tetrahedra[2 * f] != no_index || to.face_tetrahedra[2 * f + 1] != no_index)
+            continue;
+        SortedCorners<3> record = {
+            {to.faces[3 * f], to.faces[3 * f + 1], to.faces[3 * f + 2]}, 0, false};
+        record.sort();
+        add(record, {{to.face_facets[f], to.face_markers[f]}, {no_index, no_index}, record.is_odd});
+    }
+    for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+        for (unsigned i = 0; i < 4 && !tetrahedra[t].is_dead(); ++i) {
+            const Side side = tetrahedra[t].facets[i];
+            const std::uint32_t behind = tetrahedra[t].n[i];
+            if (side == no_index || (behind != no_index && behind < 4 * t + i)) continue;
+            const Face face = make_face(tetrahedra[t].v, i);
+            Source source = {labels[label_of(side)],
+                             {no_index, no_index},
+                             face.corners.is_odd == (side % 2 == 0)};
+            source.ends[side % 2] = number[t];
+            if (behind != no_index) source.ends[1 - side % 2] = number[behind / 4];
+            add(face.corners, source);
+        }
+    std::sort(records.begin(), records.end());
+    to.faces.clear();
+    to.face_tetrahedra.clear();
+    to.face_facets.clear();
+    to.face_markers.clear();
+    to.unused_faces.clear();
+    for (const SortedCorners<3>& record : records) {
+        const Source& source = sources[record.from];
+        if (source.ends[0] == no_index && source.ends[1] == no_index)
+            to.unused_faces.push_back(static_cast<std::uint32_t>(to.face_facets.size()));
+        to.faces.push_back(record.v[0]);
+        to.faces.push_back(record.v[source.turns ? 2 : 1]);
+        to.faces.push_back(record.v[source.turns ? 1 : 2]);
+        for (const std::uint32_t t : source.ends) to.face_tetrahedra.push_back(t);
+        to.face_facets.push_back(source.label.facet);
+        to.face_markers.push_back(source.label.marker);
+    }
+}
+
+// Writes the points and renumbers them: the caller's keep their numbers, and of the others those
+// that have left the mesh leave no gaps.
+void FlexibleMesh::write_points(SolidMesh& to) const {
+    const std::size_t given = to.points.size() / 3 - to.steiner_parameters.size();
+    Buffer<std::uint32_t> number(allocator_);
+    number.resize(hints.size(), no_index);
+    auto count = static_cast<std::uint32_t>(given);
+    for (std::uint32_t v = 0; v < hints.size(); ++v)
+        if (v < given)
+            number[v] = v;
+        else if (is_lost[v] == 0)
+            number[v] = count++;
+    Buffer<double> points(to.points.allocator());
+    Buffer<std::uint32_t> edges_of_steiner(to.steiner_edges.allocator());
+    Buffer<double> parameters(to.steiner_parameters.allocator());
+    for (std::uint32_t v = 0; v < hints.size(); ++v) {
+        if (number[v] == no_index) continue;
+        // Points that have not moved keep their coordinates to the last bit.
+        const bool is_old = 3 * std::size_t{v} < to.points.size();
+        bool has_moved = !is_old;
+        for (std::size_t k = 3 * std::size_t{v}; k < 3 * std::size_t{v} + 3; ++k) {
+            const bool moves = !is_old || x[k] != std::ldexp(to.points[k], -scale_);
+            points.push_back(moves ? std::ldexp(x[k], scale_) : to.points[k]);
+            has_moved = has_moved || moves;
+        }
+        if (v < given) continue;
+        for (std::size_t k = 0; k < 2; ++k)
+            edges_of_steiner.push_back(has_moved ? no_index
+                                                 : to.steiner_edges[2 * (v - given) + k]);
+        parameters.push_back(has_moved ? 0 : to.steiner_parameters[v - given]);
+    }
+    to.points = std::move(points);
+    to.steiner_edges = std::move(edges_of_steiner);
+    to.steiner_parameters = std::move(parameters);
+    to.point_origins.resize(count, no_index);
+    for (std::size_t v = given; v < count; ++v) to.point_origins[v] = no_index;
+    for (Buffer<std::uint32_t>* const list : {&to.tetrahedra, &to.faces, &to.edges})
+        for (std::uint32_t& v : *list) v = number[v];
+    to.unused_points.clear();
+    for (std::uint32_t v = 0; v < given; ++v)
+        if (hints[to.point_origins[v]] == no_tetrahedron) to.unused_points.push_back(v);
+    to.exact_points.copy(to.points);
+    to.is_delaunay = false;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Inserts a vertex: a bad tetrahedron and some around it are replaced by those of a new vertex.
+#pragma once
+
+#include "improvement/flexible_mesh.hpp"
+#include "improvement/place_search.hpp"
+
+namespace mgdt {
+
+class VertexInsertion {
+  public:
+    explicit VertexInsertion(const FlexibleMesh& mesh)
+        : mesh_(mesh),
+          search_(mesh.allocator()),
+          cavity_(mesh.allocator()),
+          faces_(mesh.allocator()) {}
+
+    // Finds a cavity around tetrahedron t and a place for a vertex in it. Returns whether the new
+    // tetrahedra are all better than the worst one of the cavity. The cavity grows through the face
+    // whose tetrahedron is the worst (after Klingner and Shewchuk, "Aggressive tetrahedral mesh
+    // improvement", 2007).
+    bool find(std::uint32_t t, double goal, Change& change);
+
+  private:
+    // A face of the cavity: a, b, c and the new vertex are positive.
+    struct Face {
+        std::uint32_t v[3];
+        std::uint32_t code;  // in the tetrahedron of the cavity
+        double quality;
+    };
+
+    void collect_faces(std::size_t size);
+    bool grow();
+    bool keeps_vertices_and_edges(std::size_t size) const;
+
+    const FlexibleMesh& mesh_;
+    PlaceSearch search_;
+    Buffer<std::uint32_t> cavity_;  // in the order in which they have been added
+    Buffer<Face> faces_;
+    double place_[3] = {};
+};
+
+}  // namespace mgdt
