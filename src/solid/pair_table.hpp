@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "platform/hash.hpp"
+#include "platform/no_index.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -34,6 +35,7 @@ class PairTable {
     }
     // The number of a pair, or `no_index`.
     std::uint32_t find(std::uint32_t a, std::uint32_t b) const noexcept {
+        if (pairs_.empty()) return no_index;
         const Pair pair = {std::min(a, b), std::max(a, b)};
         return table_.find(hash(pair), [&](std::uint32_t i) { return is_same(pairs_[i], pair); });
     }
