@@ -62,6 +62,8 @@ double Improver::choose(double quality) {
     goal_ = quality;
     candidates_.clear();
     double missing = 0;
+    // Vertices that have come since then are near.
+    if (rings_ > 0) is_near_.resize(mesh_.hints.size(), 1);
     for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
         const FlexibleMesh::Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
         if (tetrahedron.is_dead() || !(mesh_.qualities[t] < quality)) continue;
