@@ -15,6 +15,8 @@ bool EdgeContraction::find(std::uint32_t t, unsigned i, unsigned j, Change& chan
         return false;
     double before = 2, after = 2;
     for (const std::uint32_t s : star_.tetrahedra) before = std::min(before, mesh_.qualities[s]);
+    // If another tetrahedron at the vertex is worse, the vertex is tried for that one.
+    if (before < mesh_.qualities[t]) return false;
     bool is_along_facet = false;
     for (const std::uint32_t s : star_.tetrahedra) {
         const FlexibleMesh::Tetrahedron& tetrahedron = mesh_.tetrahedra[s];

@@ -137,7 +137,8 @@ void EdgeRemoval::write_faces(unsigned middle, Change& change) const {
 
 bool EdgeRemoval::find(std::uint32_t t, unsigned i, unsigned j, Change& change) {
     change.clear();
-    if (!collect(t, i, j)) return false;
+    // If another tetrahedron at the edge is worse, the edge is tried for that one.
+    if (!collect(t, i, j) || mesh_.qualities[t] > worst_) return false;
     unsigned at[2] = {0, 0};
     const unsigned faces = find_facet(at);
     if (faces == 3 || mesh_.edges.find(a_, b_) != no_index) return false;

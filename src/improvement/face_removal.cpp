@@ -55,7 +55,9 @@ bool FaceRemoval::find(std::uint32_t t, unsigned i, Change& change) {
     const std::uint32_t below = behind / 4;
     a_ = tetrahedra[t].v[i];
     b_ = tetrahedra[below].v[behind % 4];
-    least_ = std::min(mesh_.qualities[t], mesh_.qualities[below]);
+    least_ = mesh_.qualities[t];
+    // If the other tetrahedron is worse, the face is tried for that one.
+    if (mesh_.qualities[below] < least_) return false;
     removed_[0] = t;
     removed_[1] = below;
     removed_count_ = 2;
