@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "improvement/quality.hpp"
+
 namespace mgdt {
 
 bool EdgeContraction::find(std::uint32_t t, unsigned i, unsigned j, Change& change) {
@@ -13,7 +15,7 @@ bool EdgeContraction::find(std::uint32_t t, unsigned i, unsigned j, Change& chan
         (freedom.freedom != Freedom::free && freedom.freedom != Freedom::in_plane) ||
         !star_.collect(mesh_, leaving))
         return false;
-    double before = 2, after = 2;
+    double before = above_all, after = above_all;
     for (const std::uint32_t s : star_.tetrahedra) before = std::min(before, mesh_.qualities[s]);
     // If another tetrahedron at the vertex is worse, the vertex is tried for that one.
     if (before < mesh_.qualities[t]) return false;

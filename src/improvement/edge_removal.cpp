@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "improvement/quality.hpp"
+
 namespace mgdt {
 namespace {
 
 // Position k for which positions i, j, k and the last one are an even permutation.
 constexpr unsigned char third[4][4] = {{0, 2, 3, 1}, {3, 0, 0, 2}, {1, 3, 0, 0}, {2, 0, 1, 0}};
-
-// The worst quality of no tetrahedra: better than every one.
-constexpr double best_of_all = 2;
 
 }  // namespace
 
@@ -34,7 +33,7 @@ bool EdgeRemoval::collect(std::uint32_t t, unsigned i, unsigned j) {
     }
     const std::uint32_t first = t;
     is_closed_ = false;
-    worst_ = best_of_all;
+    worst_ = above_all;
     for (count_ = 0; count_ < most_around;) {
         const auto& tetrahedron = tetrahedra[t];
         tetrahedra_[count_] = t;
@@ -88,7 +87,7 @@ void EdgeRemoval::turn(unsigned by) {
 // (Klincsek, Annals of Discrete Mathematics 9, 1980). Returns the worst quality of their
 // tetrahedra, or 0 if it is not better than the worst one now.
 double EdgeRemoval::choose(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; ++i) best_[i][i + 1] = best_of_all;
+    for (unsigned i = begin; i < end; ++i) best_[i][i + 1] = above_all;
     for (unsigned size = 2; size <= end - begin; ++size)
         for (unsigned i = begin; i + size <= end; ++i) {
             const unsigned j = i + size;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "improvement/quality.hpp"
+
 namespace mgdt {
 
 // Adds the best tetrahedra beyond an edge of a removed face, whose ends appear counter-clockwise
@@ -62,7 +64,7 @@ bool FaceRemoval::find(std::uint32_t t, unsigned i, Change& change) {
     removed_[1] = below;
     removed_count_ = 2;
     added_count_ = 0;
-    double after = 2;
+    double after = above_all;
     const unsigned char* const f = outer_face[i];
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t p = tetrahedra[t].v[f[k]], q = tetrahedra[t].v[f[(k + 1) % 3]];

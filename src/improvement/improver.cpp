@@ -12,9 +12,12 @@ bool Improver::find_flip(std::uint32_t t, Finder& finder, Change& best) const {
     const auto keep = [&](bool is_found) {
         if (is_found && finder.other.after > best.after) std::swap(best, finder.other);
     };
-    for (unsigned i = 0; i < 4; ++i)
-        for (unsigned j = i + 1; j < 4; ++j) keep(finder.edges.find(t, i, j, finder.other));
-    for (unsigned i = 0; i < 4; ++i) keep(finder.faces.find(t, i, finder.other));
+    // A change that reaches the goal is good enough.
+    for (unsigned i = 0; i < 4 && best.after < goal_; ++i)
+        for (unsigned j = i + 1; j < 4 && best.after < goal_; ++j)
+            keep(finder.edges.find(t, i, j, finder.other));
+    for (unsigned i = 0; i < 4 && best.after < goal_; ++i)
+        keep(finder.faces.find(t, i, finder.other));
     return !best.empty();
 }
 
@@ -51,7 +54,9 @@ std::size_t Improver::insert(StageProgress& progress) {
 }
 
 std::size_t Improver::smooth(StageProgress& progress) {
-    return smoothing_.pass(candidates_, pushes_ ? 0 : goal_, progress);
+    constexpr int most_moves = 4;
+    return smoothing_.pass(candidates_,
+                           {most_moves, is_tail_ ? best_quality : goal_, goal_, pushes_}, progress);
 }
 
 std::size_t Improver::smooth_mean(StageProgress& progress) {
@@ -136,6 +141,7 @@ void Improver::reach_goal(StageProgress& progress) {
     double missing = choose(goal);
     for (int i = 0; i < settings_.most_passes && missing > 0; ++i) {
         const double before = missing;
+        is_tail_ = stage > 0;
         pushes_ = stage == 1;
         missing = pass(goal, stage >= 2, progress);
         pushes_ = false;
@@ -145,24 +151,26 @@ void Improver::reach_goal(StageProgress& progress) {
         }
         if (++stage < 4) continue;
         if (rings > last_rings) break;
+        is_tail_ = true;
         choose_near(goal, rings);
         for (int k = 0; k < passes_with_raised_goal; ++k)
             pass(settings_.raised_goal, true, progress);
+        is_tail_ = false;
         rings_ = 0;
         ++rings;
         stage = 0;
         missing = choose(goal);
     }
+    is_tail_ = false;
 }
 
 void Improver::run(StageProgress& progress) {
-    constexpr double all = 2;
     flip_most(progress);
     choose(settings_.goal);
     smooth(progress);
     reach_goal(progress);
     for (int i = 0; i < settings_.mean_passes; ++i) {
-        choose(all);
+        choose(above_all);
         smooth_mean(progress);
     }
     // Better tetrahedra around what is left may help.

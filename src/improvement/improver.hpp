@@ -73,7 +73,8 @@ class Improver {
     Buffer<std::uint8_t> is_near_;      // whether a vertex is near what is left
     double goal_ = 0;                   // below which tetrahedra are candidates
     bool pushes_ = false;               // whether moves may push other tetrahedra below the goal
-    int rings_ = 0;                     // 0 while all tetrahedra may be candidates
+    bool is_tail_ = false;  // whether few tetrahedra are left, which are hard to improve
+    int rings_ = 0;         // 0 while all tetrahedra may be candidates
 };
 
 }  // namespace mgdt

@@ -15,7 +15,7 @@ double dot(const double (&p)[3], const double (&q)[3]) {
 }  // namespace
 
 double PlaceSearch::worst_at(const double (&place)[3]) {
-    double worst = 2;
+    double worst = above_all;
     for (Face& face : faces_) {
         face.quality = quality_of(place, face.p[0], face.p[1], face.p[2]);
         worst = std::min(worst, face.quality);
@@ -64,15 +64,14 @@ void PlaceSearch::find_direction(unsigned active, double (&d)[3]) const {
 // Each step goes along the direction in which the worst tetrahedra become better, as far as the
 // next one lets it (Freitag and Ollivier-Gooch, International Journal for Numerical Methods in
 // Engineering 40, 1997).
-double PlaceSearch::improve(const VertexClass& freedom, int most_moves, double goal,
-                            double (&place)[3]) {
+double PlaceSearch::improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]) {
     constexpr int most_tries = 4;
     constexpr double about_the_worst = 1.1, least_gain = 1.001, least_share = 1e-10;
     double worst = worst_at(place), reached = 0;
     double missing = 0;
-    for (const Face& face : faces_) missing += missing_to(goal, face.quality);
+    for (const Face& face : faces_) missing += missing_to(moves.goal, face.quality);
     next_.resize(faces_.size());
-    for (int move = 0; move < most_moves && worst > 0; ++move) {
+    for (int move = 0; move < moves.most && worst > 0 && worst < moves.enough; ++move) {
         find_worst();
         unsigned active = 0;
         for (unsigned k = 0; k < worst_count_; ++k) {
@@ -101,14 +100,15 @@ double PlaceSearch::improve(const VertexClass& freedom, int most_moves, double g
         for (int tries = 0; tries < most_tries && !is_better; ++tries, step /= 2) {
             for (int k = 0; k < 3; ++k) to[k] = place[k] + step * d[k];
             is_better = true;
-            there = 2;
+            there = above_all;
             missing_there = 0;
             for (std::size_t f = 0; f < faces_.size() && is_better; ++f) {
                 const double* const(&p)[3] = faces_[f].p;
                 next_[f] = quality_of(to, p[0], p[1], p[2]);
                 there = std::min(there, next_[f]);
-                missing_there += missing_to(goal, next_[f]);
-                is_better = next_[f] > least_gain * worst && missing_there <= missing;
+                missing_there += missing_to(moves.goal, next_[f]);
+                is_better =
+                    next_[f] > least_gain * worst && (moves.push || missing_there <= missing);
             }
         }
         if (!is_better) break;

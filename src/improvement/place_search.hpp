@@ -8,6 +8,14 @@
 
 namespace mgdt {
 
+// How a vertex moves.
+struct Moves {
+    int most;       // at most so many times
+    double enough;  // until the worst quality is this one
+    double goal;    // below which tetrahedra are to be as few as possible
+    bool push;      // whether moves may increase what qualities miss to the goal, all together
+};
+
 class PlaceSearch {
   public:
     explicit PlaceSearch(Allocator& allocator) : faces_(allocator), next_(allocator) {}
@@ -19,10 +27,9 @@ class PlaceSearch {
     }
     // The worst quality of the tetrahedra with the vertex at a place.
     double worst_at(const double (&place)[3]);
-    // Moves the vertex as its class allows, in at most `most_moves` steps that make the worst
-    // tetrahedron better and do not increase the sum of what qualities miss to the goal. Returns
-    // the worst quality, or 0 if the vertex has not moved.
-    double improve(const VertexClass& freedom, int most_moves, double goal, double (&place)[3]);
+    // Moves the vertex as its class allows, each time so that the worst tetrahedron becomes better.
+    // Returns the worst quality, or 0 if the vertex has not moved.
+    double improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]);
     // Moves the vertex towards the middle of the faces, if that makes the mean of the tetrahedra
     // better, and none of them worse than the goal or the worst one now. Returns whether the vertex
     // has moved.

@@ -10,6 +10,9 @@ namespace mgdt {
 // Sines of obtuse angles count 0.7 times: of two angles with the same sine the obtuse one is worse.
 constexpr double obtuse_weight = 0.7;
 
+// The quality of a regular tetrahedron, and a number above all qualities.
+constexpr double best_quality = 8.0 / 9, above_all = 2;
+
 // An upper bound on the error of six times the volume of a tetrahedron, as quality_of() computes
 // it, relative to the same sum with all terms positive (docs/theory.md, "The quality of a
 // tetrahedron").

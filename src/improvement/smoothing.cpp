@@ -115,12 +115,11 @@ bool Smoothing::move(std::uint32_t candidate, Mover& mover, const Search& search
     return true;
 }
 
-std::size_t Smoothing::pass(const Buffer<std::uint32_t>& tetrahedra, double goal,
+std::size_t Smoothing::pass(const Buffer<std::uint32_t>& tetrahedra, const Moves& moves,
                             StageProgress& progress) {
-    constexpr int most_moves = 4;
     return move_all(tetrahedra, progress,
                     [&](PlaceSearch& search, const VertexClass& freedom, double(&place)[3]) {
-                        return search.improve(freedom, most_moves, goal, place) > 0;
+                        return search.improve(freedom, moves, place) > 0;
                     });
 }
 

@@ -23,9 +23,9 @@ class Smoothing {
           order_(mesh.allocator()) {}
 
     // Moves the vertices of some tetrahedra where that makes the worst tetrahedron at the vertex
-    // better and the goal is not missed by more. With the goal 0, other tetrahedra may become worse
-    // than that. Returns the number of vertices that have moved.
-    std::size_t pass(const Buffer<std::uint32_t>& tetrahedra, double goal, StageProgress& progress);
+    // better. Returns the number of vertices that have moved.
+    std::size_t pass(const Buffer<std::uint32_t>& tetrahedra, const Moves& moves,
+                     StageProgress& progress);
     // Moves the vertices of some tetrahedra where that makes the mean better, and none worse than
     // the goal or the worst one at the vertex.
     std::size_t pass_for_mean(const Buffer<std::uint32_t>& tetrahedra, double goal,

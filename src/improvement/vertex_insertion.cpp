@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "improvement/quality.hpp"
+
 namespace mgdt {
 
 // Collects the faces around the first tetrahedra of the cavity.
@@ -78,7 +80,8 @@ bool VertexInsertion::find(std::uint32_t t, double goal, Change& change) {
         search_.clear();
         for (const Face& face : faces_)
             search_.add(mesh_.point(face.v[0]), mesh_.point(face.v[2]), mesh_.point(face.v[1]));
-        const double moved = search_.improve(free_vertex, moves_per_size, goal, place_);
+        const double moved =
+            search_.improve(free_vertex, {moves_per_size, best_quality, goal, false}, place_);
         const double worst = moved > 0 ? moved : search_.worst_at(place_);
         if (worst > best) {
             best = worst;
@@ -91,7 +94,7 @@ bool VertexInsertion::find(std::uint32_t t, double goal, Change& change) {
     collect_faces(best_size);
     if (!keeps_vertices_and_edges(best_size)) return false;
     std::copy_n(best_place, 3, change.more.place);
-    change.before = change.after = 2;
+    change.before = change.after = above_all;
     for (std::size_t k = 0; k < best_size; ++k) {
         change.removed.push_back(cavity_[k]);
         change.before = std::min(change.before, mesh_.qualities[cavity_[k]]);

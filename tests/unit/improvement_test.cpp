@@ -19,8 +19,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double all = 2;  // a goal that no tetrahedron reaches
-
 double sine_of(double degrees) {
     return std::sin(degrees * std::acos(-1.0) / 180);
 }
@@ -48,7 +46,7 @@ void improve(FlexibleMesh& mesh, const ImprovementSettings& settings, unsigned t
 }
 
 double worst_of(const FlexibleMesh& mesh) {
-    double worst = all;
+    double worst = above_all;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
         if (!mesh.tetrahedra[t].is_dead()) worst = std::min(worst, mesh.qualities[t]);
     return worst;
@@ -368,7 +366,7 @@ TEST(Improvement, OperationsKeepTheMeshSound) {
         Improver improver(mesh, team, settings);
         std::size_t changes = 0;
         for (int pass = 0; pass < 3; ++pass) {
-            improver.choose(operation == 4 ? all : settings.goal);
+            improver.choose(operation == 4 ? above_all : settings.goal);
             changes += operation == 0   ? improver.flip(Unwatched())
                        : operation == 1 ? improver.contract(Unwatched())
                        : operation == 2 ? improver.insert(Unwatched())
@@ -410,7 +408,7 @@ TEST(Improvement, RefusesChangesThatDoNotFit) {
             const bool is_found = operation == 0   ? edges.find(t, i, (i + 1) % 4, change)
                                   : operation == 1 ? faces.find(t, i, change)
                                   : operation == 2 ? contractions.find(t, i, (i + 1) % 4, change)
-                                                   : insertions.find(t, all, change);
+                                                   : insertions.find(t, above_all, change);
             if (!is_found) continue;
             wrong.clear();
             for (const std::uint32_t r : change.removed) wrong.removed.push_back(r);
