@@ -8,8 +8,11 @@
 namespace mgdt {
 namespace {
 
-double dot(const double (&p)[3], const double (&q)[3]) {
-    return (p[0] * q[0] + p[1] * q[1]) + p[2] * q[2];
+double square_of(const double (&v)[3]) {
+    return (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2];
+}
+double product_of(const double (&v)[3], const double (&w)[3]) {
+    return (v[0] * w[0] + v[1] * w[1]) + v[2] * w[2];
 }
 
 }  // namespace
@@ -43,20 +46,20 @@ void PlaceSearch::find_direction(unsigned active, double (&d)[3]) const {
     constexpr int most_steps = 12;
     std::copy_n(worst_[0].by, 3, d);
     for (int step = 0; step < most_steps; ++step) {
-        const double square = dot(d, d);
+        const double square = square_of(d);
         double least = square;
         unsigned at = 0;
         for (unsigned k = 0; k < active; ++k)
-            if (const double value = dot(d, worst_[k].by); value < least) {
+            if (const double value = product_of(d, worst_[k].by); value < least) {
                 least = value;
                 at = k;
             }
         if (!(least < 0.999 * square)) return;
         const double* const g = worst_[at].by;
         const double difference[3] = {g[0] - d[0], g[1] - d[1], g[2] - d[2]};
-        const double length = dot(difference, difference);
+        const double length = square_of(difference);
         if (!(length > 0)) return;
-        const double t = std::min(1.0, -dot(d, difference) / length);
+        const double t = std::min(1.0, -product_of(d, difference) / length);
         for (int k = 0; k < 3; ++k) d[k] += t * difference[k];
     }
 }
@@ -85,13 +88,13 @@ double PlaceSearch::improve(const VertexClass& freedom, const Moves& moves, doub
         find_direction(active, d);
         // What is left where gradients cancel has lost its line or plane.
         freedom.project(d);
-        const double square = dot(d, d);
-        if (!(square > least_share * dot(worst_[0].by, worst_[0].by))) break;
+        const double square = square_of(d);
+        if (!(square > least_share * square_of(worst_[0].by))) break;
         // Along d the worst grow by at least the square of its length. The step ends where the
         // next one becomes the worst, or doubles the worst.
         double step = worst / square;
         for (unsigned k = 0; k < worst_count_; ++k) {
-            const double slope = dot(d, worst_[k].by);
+            const double slope = product_of(d, worst_[k].by);
             if (slope < square && worst_[k].quality > worst)
                 step = std::min(step, (worst_[k].quality - worst) / (square - slope));
         }

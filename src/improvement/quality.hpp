@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/vector.hpp"
+
 namespace mgdt {
 
 // Sines of obtuse angles count 0.7 times: of two angles with the same sine the obtuse one is worse.
@@ -20,20 +22,17 @@ constexpr double volume_error = 9 * 0x1p-53;
 // What underflow can lose of a volume is below this, and what is below it counts as nothing.
 constexpr double least_product = 0x1p-1000;
 
-// Six times the volume of a tetrahedron, positive if it is positively oriented. `size` is the same
-// sum with all terms positive.
-inline double rounded_volume(const double* a, const double* b, const double* c, const double* d,
-                             double& size) noexcept {
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]},
-                 w[3] = {d[0] - a[0], d[1] - a[1], d[2] - a[2]};
-    const auto minor = [&](int i, int j) { return v[i] * w[j] - v[j] * w[i]; };
+// Six times the volume of the tetrahedron with the edges u, v and w at a corner, positive if it is
+// positively oriented. `size` is the same sum with all terms positive.
+inline double rounded_volume(const Vector<double>& u, const Vector<double>& v,
+                             const Vector<double>& w, double& size) noexcept {
+    const auto minor = [&](int i, int j) { return v.x[i] * w.x[j] - v.x[j] * w.x[i]; };
     const auto minor_size = [&](int i, int j) {
-        return std::fabs(v[i] * w[j]) + std::fabs(v[j] * w[i]);
+        return std::fabs(v.x[i] * w.x[j]) + std::fabs(v.x[j] * w.x[i]);
     };
-    size = (std::fabs(u[0]) * minor_size(1, 2) + std::fabs(u[1]) * minor_size(2, 0)) +
-           std::fabs(u[2]) * minor_size(0, 1);
-    return (u[0] * minor(1, 2) + u[1] * minor(2, 0)) + u[2] * minor(0, 1);
+    size = (std::fabs(u.x[0]) * minor_size(1, 2) + std::fabs(u.x[1]) * minor_size(2, 0)) +
+           std::fabs(u.x[2]) * minor_size(0, 1);
+    return (u.x[0] * minor(1, 2) + u.x[1] * minor(2, 0)) + u.x[2] * minor(0, 1);
 }
 
 // The square of the least sine of the six dihedral angles of a tetrahedron, where the sines of
@@ -46,43 +45,27 @@ inline double rounded_volume(const double* a, const double* b, const double* c, 
 // D l_ij / (|n_k| |n_m|), where D is six times the volume, and k and m are the other corners.
 inline double quality_of(const double* a, const double* b, const double* c,
                          const double* d) noexcept {
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]},
-                 w[3] = {d[0] - a[0], d[1] - a[1], d[2] - a[2]};
-    const auto dot = [](const double* p, const double* q) {
-        return (p[0] * q[0] + p[1] * q[1]) + p[2] * q[2];
-    };
-    const auto cross = [](const double* p, const double* q, double* out) {
-        out[0] = p[1] * q[2] - p[2] * q[1];
-        out[1] = p[2] * q[0] - p[0] * q[2];
-        out[2] = p[0] * q[1] - p[1] * q[0];
-    };
-    // The normals point inwards, and their sum is 0.
-    double n[4][3];
-    cross(u, v, n[3]);
-    cross(w, u, n[2]);
-    cross(v, w, n[1]);
-    for (int k = 0; k < 3; ++k) n[0][k] = -((n[1][k] + n[2][k]) + n[3][k]);
+    using Edge = Vector<double>;
+    const Edge u = difference<double>(b, a), v = difference<double>(c, a),
+               w = difference<double>(d, a);
     double size;
-    const double volume = rounded_volume(a, b, c, d, size);
+    const double volume = rounded_volume(u, v, w, size);
     if (!(volume > volume_error * size + least_product)) return 0;
-    const double square[4] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2]), dot(n[3], n[3])};
-    const double uv[3] = {v[0] - u[0], v[1] - u[1], v[2] - u[2]},
-                 vw[3] = {w[0] - v[0], w[1] - v[1], w[2] - v[2]},
-                 wu[3] = {u[0] - w[0], u[1] - w[1], u[2] - w[2]};
-    const auto weight = [&](int i, int j) {
-        return dot(n[i], n[j]) > 0 ? obtuse_weight * obtuse_weight : 1.0;
+    // The normals point inwards, and their sum is 0.
+    const Vector<double> n1 = cross(v, w), n2 = cross(w, u), n3 = cross(u, v),
+                         n0 = -1.0 * ((n1 + n2) + n3);
+    const double s0 = dot(n0, n0), s1 = dot(n1, n1), s2 = dot(n2, n2), s3 = dot(n3, n3);
+    const auto weight = [](const Vector<double>& one, const Vector<double>& other) {
+        return dot(one, other) > 0 ? obtuse_weight * obtuse_weight : 1.0;
     };
-    // For the edge between corners i and j: the squared length times the squares of the normals at
-    // its ends, whose product with those of the other two is the same for all edges.
-    const double edges[6] = {dot(u, u) * square[0] * square[1] * weight(2, 3),
-                             dot(v, v) * square[0] * square[2] * weight(1, 3),
-                             dot(w, w) * square[0] * square[3] * weight(1, 2),
-                             dot(uv, uv) * square[1] * square[2] * weight(0, 3),
-                             dot(vw, vw) * square[2] * square[3] * weight(0, 1),
-                             dot(wu, wu) * square[3] * square[1] * weight(0, 2)};
-    const double least = std::min({edges[0], edges[1], edges[2], edges[3], edges[4], edges[5]});
-    const double product = (square[0] * square[1]) * (square[2] * square[3]);
+    // For the edge between corners i and j: the squared length times the squares of the normals i
+    // and j, whose product with those of the other two is the same for all edges.
+    const Edge uv = v - u, vw = w - v, wu = u - w;
+    const double least =
+        std::min({dot(u, u) * s0 * s1 * weight(n2, n3), dot(v, v) * s0 * s2 * weight(n1, n3),
+                  dot(w, w) * s0 * s3 * weight(n1, n2), dot(uv, uv) * s1 * s2 * weight(n0, n3),
+                  dot(vw, vw) * s2 * s3 * weight(n0, n1), dot(wu, wu) * s3 * s1 * weight(n0, n2)});
+    const double product = (s0 * s1) * (s2 * s3);
     return product > least_product ? volume * volume * least / product : 0;
 }
 
@@ -99,7 +82,8 @@ inline double missing_to(double goal, double quality) noexcept {
 inline double volume_length_of(const double* a, const double* b, const double* c,
                                const double* d) noexcept {
     double size;
-    const double volume = rounded_volume(a, b, c, d, size);
+    const double volume = rounded_volume(difference<double>(b, a), difference<double>(c, a),
+                                         difference<double>(d, a), size);
     const double* const p[4] = {a, b, c, d};
     double squares = 0;
     for (int i = 0; i < 4; ++i)

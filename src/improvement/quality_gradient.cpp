@@ -6,42 +6,19 @@
 #include "improvement/quality.hpp"
 
 namespace mgdt {
-namespace {
-
-double dot(const double (&p)[3], const double (&q)[3]) {
-    return (p[0] * q[0] + p[1] * q[1]) + p[2] * q[2];
-}
-void cross(const double (&p)[3], const double (&q)[3], double (&out)[3]) {
-    out[0] = p[1] * q[2] - p[2] * q[1];
-    out[1] = p[2] * q[0] - p[0] * q[2];
-    out[2] = p[0] * q[1] - p[1] * q[0];
-}
-
-}  // namespace
-
 // The quality is D^2 L / (N_k N_m): see quality_of(), with L for the squared length of the edge and
 // N_i for the square of normal i. So its gradient is the quality times the sum of 2 grad D / D,
 // grad L / L, -grad N_k / N_k and -grad N_m / N_m. D grows in the direction of the normal of the
 // face opposite a; N of a face a, y, z has the gradient 2 (y - z) x n.
 QualityGradient quality_gradient(const double* a, const double* b, const double* c,
                                  const double* d) noexcept {
-    // Edges from a to the corners 1, 2, 3, and the edges between these.
-    double e[4][3] = {}, opposite[4][3], n[4][3];
-    for (int k = 0; k < 3; ++k) {
-        e[1][k] = b[k] - a[k];
-        e[2][k] = c[k] - a[k];
-        e[3][k] = d[k] - a[k];
-    }
-    cross(e[2], e[3], n[1]);
-    cross(e[3], e[1], n[2]);
-    cross(e[1], e[2], n[3]);
-    for (int k = 0; k < 3; ++k) {
-        n[0][k] = -((n[1][k] + n[2][k]) + n[3][k]);
-        opposite[1][k] = e[2][k] - e[3][k];
-        opposite[2][k] = e[3][k] - e[1][k];
-        opposite[3][k] = e[1][k] - e[2][k];
-    }
-    const double volume = dot(e[1], n[1]);
+    // Edges from a to the corners 1, 2, 3, and the edges opposite these corners in their face.
+    const Vector<double> e[4] = {
+        {{0, 0, 0}}, difference<double>(b, a), difference<double>(c, a), difference<double>(d, a)};
+    const Vector<double> opposite[4] = {{{0, 0, 0}}, e[2] - e[3], e[3] - e[1], e[1] - e[2]};
+    const Vector<double> n1 = cross(e[2], e[3]), n2 = cross(e[3], e[1]), n3 = cross(e[1], e[2]);
+    const Vector<double> n[4] = {-1.0 * ((n1 + n2) + n3), n1, n2, n3};
+    const double volume = dot(e[1], n1);
     double square[4];
     for (int i = 0; i < 4; ++i) square[i] = dot(n[i], n[i]);
     // The worst edge: between corners i and j, with the faces opposite k and m.
@@ -67,14 +44,13 @@ QualityGradient quality_gradient(const double* a, const double* b, const double*
     result.quality = volume * volume * least / product;
     const unsigned i = corners[worst][0], j = corners[worst][1];
     for (int q = 0; q < 3; ++q) {
-        result.by[q] = 2 * n[0][q] / volume;
-        if (i == 0) result.by[q] -= 2 * e[j][q] / length;
+        result.by[q] = 2 * n[0].x[q] / volume;
+        if (i == 0) result.by[q] -= 2 * e[j].x[q] / length;
     }
     for (const unsigned face : {corners[worst][2], corners[worst][3]}) {
         if (face == 0) continue;
-        double by[3];
-        cross(opposite[face], n[face], by);
-        for (int q = 0; q < 3; ++q) result.by[q] -= 2 * by[q] / square[face];
+        const Vector<double> by = cross(opposite[face], n[face]);
+        for (int q = 0; q < 3; ++q) result.by[q] -= 2 * by.x[q] / square[face];
     }
     for (double& q : result.by) q *= result.quality;
     return result;

@@ -226,7 +226,9 @@ TEST(Quality, IsPositiveOnlyIfTheVolumeIs) {
         for (int k = 0; k < 3; ++k)
             p[3][k] = p[0][k] + (p[1][k] - p[0][k]) * s + (p[2][k] - p[0][k]) * t;
         double size;
-        const double rounded = rounded_volume(p[0], p[1], p[2], p[3], size);
+        const double rounded =
+            rounded_volume(difference<double>(p[1], p[0]), difference<double>(p[2], p[0]),
+                           difference<double>(p[3], p[0]), size);
         const int sign = orientation(p[0], p[1], p[2], p[3]);
         if (sign <= 0) {
             ASSERT_EQ(quality_of(p[0], p[1], p[2], p[3]), 0);
