@@ -90,7 +90,7 @@ void Improver::choose_near(double quality, int rings) {
     is_near_.resize(mesh_.hints.size(), 0);
     for (const std::uint32_t t : candidates_)
         for (const std::uint32_t v : mesh_.tetrahedra[t].v) is_near_[v] = 1;
-    for (std::uint8_t ring = 1; ring < rings; ++ring)
+    for (int ring = 1; ring < rings; ++ring)
         for (const FlexibleMesh::Tetrahedron& t : mesh_.tetrahedra) {
             if (t.is_dead() || std::all_of(t.v, t.v + 4, [&](std::uint32_t v) {
                     return is_near_[v] == 0 || is_near_[v] > ring;
