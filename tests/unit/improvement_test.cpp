@@ -8,6 +8,7 @@
 
 #include "../support/small.h"
 #include "improvable_meshes.hpp"
+#include "improvement/explanation.hpp"
 #include "improvement/improver.hpp"
 #include "improvement/quality.hpp"
 #include "improvement/quality_gradient.hpp"
@@ -332,12 +333,58 @@ TEST(Improvement, EndsBelowAGoalThatIsOutOfReach) {
     expect_sound(mesh);
     EXPECT_GE(worst_of(mesh), before);
     EXPECT_LE(worst_of(mesh), std::pow(sine_of(15.01), 2));
+    // Each tetrahedron that is left has a reason, and the wedge is one.
+    Buffer<Reason> reasons(memory);
+    explain(mesh, std::pow(sine_of(40), 2), reasons);
+    int wedges = 0;
+    for (std::size_t t = 0; t < reasons.size(); ++t) {
+        if (mesh.tetrahedra[t].is_dead()) continue;
+        EXPECT_EQ(reasons[t] == Reason::none, mesh.qualities[t] >= std::pow(sine_of(40), 2));
+        wedges += reasons[t] == Reason::input_angle ? 1 : 0;
+    }
+    EXPECT_GT(wedges, 0);
+    // With a lower goal the angle of the wedge is no reason.
+    explain(mesh, std::pow(sine_of(14.9), 2), reasons);
+    EXPECT_EQ(std::count(reasons.begin(), reasons.end(), Reason::input_angle), 0);
+}
+
+TEST(Improvement, NamesThinFacesAndFixedCorners) {
+    const double goal = std::pow(sine_of(20), 2);
+    Surface flat{"thin face"};  // a tetrahedron with a needle as one side
+    flat.point(0, 0, 0);
+    flat.point(1, 0, 0);
+    flat.point(1, 0.1, 0);
+    flat.point(0.5, 0, 0.8);
+    flat.facet({0, 2, 1});
+    flat.facet({0, 1, 3});
+    flat.facet({1, 2, 3});
+    flat.facet({2, 0, 3});
+    MeshedDomain domain;
+    give(domain, flat);
+    domain.build();
+    Allocator memory;
+    FlexibleMesh mesh(domain.mesh(), memory);
+    Buffer<Reason> reasons(memory);
+    explain(mesh, goal, reasons);
+    ASSERT_EQ(reasons.size(), 1u);
+    EXPECT_EQ(reasons[0], Reason::input_angle);
+    // Without facets, what is left are its corners, which are fixed; and if they are not, nothing.
+    for (FlexibleMesh::Side& side : mesh.tetrahedra[0].facets) side = no_index;
+    explain(mesh, goal, reasons);
+    EXPECT_EQ(reasons[0], Reason::fixed_corners);
+    mesh.classes[0] = free_vertex;
+    explain(mesh, goal, reasons);
+    EXPECT_EQ(reasons[0], Reason::other);
+    // One face, which is thin.
+    mesh.tetrahedra[0].facets[mesh.tetrahedra[0].position(3)] = 0;
+    explain(mesh, goal, reasons);
+    EXPECT_EQ(reasons[0], Reason::thin_face);
 }
 
 TEST(Improvement, IsTheSameForEachNumberOfThreads) {
     MeshedDomain domain;
     give(domain, is_small() != 0 ? gridded_box(5, 4, 4, 0.45, 12, true)
-                                 : gridded_box(10, 8, 8, 0.45, 12, true));
+                                 : gridded_box(7, 6, 6, 0.45, 12, true));
     domain.build();
     Copy expected(domain.mesh());
     for (const unsigned threads : {1u, 2u, 3u, 5u, 16u}) {
