@@ -3,6 +3,7 @@
 #pragma once
 
 #include "platform/memory.hpp"
+#include "platform/no_index.hpp"
 
 namespace mgdt {
 
@@ -37,9 +38,11 @@ struct Change {
     Buffer<Tetrahedron> added;
     Buffer<Face> faces;
     struct More {
-        std::uint32_t lost_faces = 0;             // how many faces of facets more leave than come
-        std::uint32_t lost_vertex = 0xFFFFFFFFu;  // the vertex that leaves the mesh, or no_index
-        double place[3] = {0, 0, 0};              // of the new vertex, if corners name it
+        std::uint32_t lost_faces = 0;          // how many faces of facets more leave than come
+        std::uint32_t lost_vertex = no_index;  // the vertex that leaves the mesh, or no_index
+        // The ends of the kept edge that takes the place of two at the vertex that leaves.
+        std::uint32_t ends[2] = {no_index, no_index};
+        double place[3] = {0, 0, 0};  // of the new vertex, if corners name it
     };
     More more;
     double before = 0, after = 0;  // the worst qualities of the tetrahedra that leave and that come

@@ -16,6 +16,8 @@ class EdgeContraction {
     bool find(std::uint32_t t, unsigned i, unsigned j, Change& change);
 
   private:
+    bool find_ends(std::uint32_t leaving, std::uint32_t kept, std::uint32_t (&ends)[2]) const;
+
     const FlexibleMesh& mesh_;
     VertexStar star_;
 };

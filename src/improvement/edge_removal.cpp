@@ -140,7 +140,7 @@ bool EdgeRemoval::find(std::uint32_t t, unsigned i, unsigned j, Change& change) 
     if (!collect(t, i, j) || mesh_.qualities[t] > worst_) return false;
     unsigned at[2] = {0, 0};
     const unsigned faces = find_facet(at);
-    if (faces == 3 || mesh_.edges.find(a_, b_) != no_index) return false;
+    if (faces == 3 || mesh_.edges.has(a_, b_)) return false;
     // The vertices of each side of the facet are a polygon, or all are one.
     unsigned middle = count_ - 1;
     if (faces == 2) {

@@ -32,7 +32,7 @@ double FaceRemoval::look_beyond(const Edge& edge) {
         const bool is_new = std::find(removed_, removed_ + removed, up / 4) == removed_ + removed;
         if (is_new && next_below.v[down % 4] == s && next_above.n[at_a] != no_index &&
             next_above.n[at_a] / 4 == down / 4 && next_above.facets[at_a] == no_index &&
-            mesh_.edges.find(edge.p, edge.q) == no_index) {
+            !mesh_.edges.has(edge.p, edge.q)) {
             removed_[removed_count_++] = up / 4;
             removed_[removed_count_++] = down / 4;
             through = look_beyond({edge.p, s, up / 4, down / 4, edge.depth + 1});

@@ -108,6 +108,11 @@ bool FlexibleMesh::apply(Change& change) {
     if (const std::uint32_t lost = change.more.lost_vertex; lost != no_index) {
         hints[lost] = no_tetrahedron;
         is_lost[lost] = 1;
+        const std::uint32_t(&ends)[2] = change.more.ends;
+        if (ends[0] != no_index) {
+            edges.add(ends[0], ends[1], edges.origin(lost, ends[1]));
+            for (const std::uint32_t end : ends) edges.remove(lost, end);
+        }
     }
     slots_.clear();
     for (std::size_t k = 0; k < change.added.size(); ++k) {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "improvement/change.hpp"
+#include "improvement/kept_edges.hpp"
 #include "improvement/vertex_class.hpp"
 #include "solid/linked_tetrahedra.hpp"
-#include "solid/pair_table.hpp"
 #include "solid/solid_mesh.hpp"
 #include "solid/sorted_corners.hpp"
 
@@ -45,7 +45,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     Buffer<double> x;  // coordinates times a power of two, so that the largest one is about 1
     Buffer<VertexClass> classes;   // of vertices: all fixed until classify_vertices()
     Buffer<std::uint8_t> is_lost;  // whether a vertex has left the mesh
-    PairTable edges;               // of segments and of the edges of facets, which stay
+    KeptEdges edges;
 
     struct Label {
         std::uint32_t facet;
@@ -71,6 +71,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     void read_faces(const SolidMesh& from);
     void write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const;
     void write_points(SolidMesh& to) const;
+    void write_edges(SolidMesh& to) const;
 
     // A link of a new tetrahedron: the code of another new one, or of what is outside.
     struct Link {

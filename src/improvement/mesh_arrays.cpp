@@ -50,8 +50,9 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
         qualities[t] = quality(to.v);
     }
     read_faces(from);
-    for (std::size_t i = 0; i < from.edges.size(); i += 2)
-        edges.add(from.edges[i], from.edges[i + 1]);
+    for (std::size_t e = 0; e < from.edge_segments.size(); ++e)
+        edges.add(from.edges[2 * e], from.edges[2 * e + 1],
+                  {from.edge_segments[e], from.edge_markers[e]});
 }
 
 void FlexibleMesh::read_faces(const SolidMesh& from) {
@@ -201,6 +202,7 @@ void FlexibleMesh::write_points(SolidMesh& to) const {
     to.steiner_parameters = std::move(parameters);
     to.point_origins.resize(count, no_index);
     for (std::size_t v = given; v < count; ++v) to.point_origins[v] = no_index;
+    write_edges(to);
     for (Buffer<std::uint32_t>* const list : {&to.tetrahedra, &to.faces, &to.edges})
         for (std::uint32_t& v : *list) v = number[v];
     to.unused_points.clear();
@@ -208,6 +210,19 @@ void FlexibleMesh::write_points(SolidMesh& to) const {
         if (hints[to.point_origins[v]] == no_tetrahedron) to.unused_points.push_back(v);
     to.exact_points.copy(to.points);
     to.is_delaunay = false;
+}
+
+// Writes the edges: those that were read come first. Vertices have their numbers in this mesh.
+void FlexibleMesh::write_edges(SolidMesh& to) const {
+    to.edges.clear();
+    to.edge_segments.clear();
+    to.edge_markers.clear();
+    edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin& origin) {
+        to.edges.push_back(a);
+        to.edges.push_back(b);
+        to.edge_segments.push_back(origin.segment);
+        to.edge_markers.push_back(origin.marker);
+    });
 }
 
 }  // namespace mgdt

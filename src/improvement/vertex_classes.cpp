@@ -79,14 +79,13 @@ void classify_vertices(FlexibleMesh& mesh, const Buffer<Permission>& permissions
             if (size > planes[label].size) planes[label] = {{n[0], n[1], n[2]}, size};
         }
     }
-    for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
-        const auto [a, b] = mesh.edges.pair(e);
+    mesh.edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin&) {
         for (const auto& [v, w] : {std::make_pair(a, b), std::make_pair(b, a)}) {
             Surroundings& s = around[v];
             if (s.edges < 2) s.ends[s.edges] = w;
             ++s.edges;
         }
-    }
+    });
     for (std::uint32_t v = 0; v < count; ++v) {
         const Surroundings& s = around[v];
         VertexClass& c = mesh.classes[v];

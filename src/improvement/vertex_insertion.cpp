@@ -53,8 +53,7 @@ bool VertexInsertion::keeps_vertices_and_edges(std::size_t size) const {
         for (unsigned i = 0; i < 4; ++i) {
             if (!is_on_face(v[i], v[i])) return false;
             for (unsigned j = i + 1; j < 4; ++j)
-                if (mesh_.edges.find(v[i], v[j]) != no_index && !is_on_face(v[i], v[j]))
-                    return false;
+                if (mesh_.edges.has(v[i], v[j]) && !is_on_face(v[i], v[j])) return false;
         }
     }
     return true;

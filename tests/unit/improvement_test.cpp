@@ -122,6 +122,9 @@ void expect_equal(const SolidMesh& a, const SolidMesh& b) {
     EXPECT_TRUE(equal(a.face_facets, b.face_facets));
     EXPECT_TRUE(equal(a.face_markers, b.face_markers));
     EXPECT_TRUE(equal(a.unused_faces, b.unused_faces));
+    EXPECT_TRUE(equal(a.edges, b.edges));
+    EXPECT_TRUE(equal(a.edge_segments, b.edge_segments));
+    EXPECT_TRUE(equal(a.edge_markers, b.edge_markers));
 }
 
 // A copy of a mesh, with a memory of its own.
@@ -431,6 +434,42 @@ TEST(Improvement, OperationsKeepTheMeshSound) {
         EXPECT_EQ(before.volumes, after.volumes);
         EXPECT_EQ(before.areas, after.areas);
     }
+}
+
+// Vertices near corners of a box, between two edges of one line, leave: one edge takes the place of
+// each two.
+TEST(Improvement, ContractsEdgesAlongLines) {
+    Surface s = gridded_box(3, 3, 3, 0.3, 21);
+    for (const std::size_t v : {1u, 4u, 16u}) {  // the first points on the three axes
+        ASSERT_EQ(s.points[3 * v] + s.points[3 * v + 1] + s.points[3 * v + 2], 1);
+        for (std::size_t k = 0; k < 3; ++k) s.points[3 * v + k] /= 32;
+    }
+    MeshedDomain domain;
+    give(domain, s);
+    domain.build();
+    ASSERT_EQ(domain.mesh().edge_segments.size(), 36u);
+    Allocator memory;
+    FlexibleMesh mesh(domain.mesh(), memory);
+    classify(mesh, true);
+    Team team(1);
+    Improver improver(mesh, team, settings_for(20, true));
+    for (int pass = 0; pass < 4; ++pass) {
+        improver.choose(above_all);
+        improver.contract(Unwatched());
+        expect_sound(mesh);
+    }
+    Copy written(domain.mesh());
+    mesh.write(written.mesh);
+    EXPECT_LT(written.mesh.edge_segments.size(), 36u);
+    // The edges are those of the box still: their lengths along each axis are 12 in all.
+    double length[3] = {0, 0, 0};
+    for (std::size_t e = 0; e < written.mesh.edges.size(); e += 2)
+        for (std::size_t k = 0; k < 3; ++k)
+            length[k] += std::fabs(written.mesh.points[3 * written.mesh.edges[e] + k] -
+                                   written.mesh.points[3 * written.mesh.edges[e + 1] + k]);
+    for (const double l : length) EXPECT_EQ(l, 12);
+    EXPECT_NO_THROW(check_mesh(written.mesh, 0, memory, Unwatched()));
+    EXPECT_EQ(volume(written.mesh), 27);
 }
 
 // A change whose tetrahedra do not fill the place of those that leave is refused, and leaves the
