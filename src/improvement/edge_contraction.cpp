@@ -16,8 +16,8 @@ bool EdgeContraction::find_ends(std::uint32_t leaving, std::uint32_t kept,
         for (const std::uint32_t v : mesh_.tetrahedra[t].v)
             if (v != leaving && v != kept && mesh_.edges.has(leaving, v)) ends[1] = v;
     if (ends[1] == no_index || mesh_.edges.has(kept, ends[1])) return false;
-    const KeptEdges::Origin &one = mesh_.edges.origin(leaving, kept),
-                            &other = mesh_.edges.origin(leaving, ends[1]);
+    const KeptEdges::Origin one = mesh_.edges.origin(leaving, kept),
+                            other = mesh_.edges.origin(leaving, ends[1]);
     return one.segment == other.segment && one.marker == other.marker;
 }
 

@@ -21,10 +21,10 @@ class KeptEdges {
         return e != no_index && !records_[e].is_lost;
     }
     // An edge that there is.
-    const Origin& origin(std::uint32_t a, std::uint32_t b) const noexcept {
+    Origin origin(std::uint32_t a, std::uint32_t b) const noexcept {
         return records_[pairs_.find(a, b)].origin;
     }
-    void add(std::uint32_t a, std::uint32_t b, const Origin& origin) {
+    void add(std::uint32_t a, std::uint32_t b, Origin origin) {
         const std::uint32_t e = pairs_.add(a, b);
         if (e == records_.size()) records_.push_back({});
         records_[e] = {a, b, origin, false};
