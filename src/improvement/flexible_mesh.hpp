@@ -35,7 +35,8 @@ class FlexibleMesh : public LinkedTetrahedra {
     bool apply(Change& change);
 
     // Writes the points, and tetrahedra and faces, sorted as those of a domain's mesh are. `to` is
-    // the mesh from which this one was made; what else it has stays.
+    // the mesh from which this one was made; what else it has stays. If memory runs out, it stays
+    // as it was.
     void write(SolidMesh& to) const;
 
     // For tetrahedra, beside the links.
@@ -69,9 +70,11 @@ class FlexibleMesh : public LinkedTetrahedra {
     bool pair_faces(const Change& change);
     void add_vertex(Change& change);
     void read_faces(const SolidMesh& from);
-    void write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const;
-    void write_points(SolidMesh& to) const;
-    void write_edges(SolidMesh& to) const;
+    void write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& made) const;
+    void write_faces(const Buffer<std::uint32_t>& number, const SolidMesh& before,
+                     SolidMesh& made) const;
+    void write_points(const SolidMesh& before, SolidMesh& made) const;
+    void write_edges(SolidMesh& made) const;
 
     // A link of a new tetrahedron: the code of another new one, or of what is outside.
     struct Link {

@@ -81,6 +81,24 @@ void FlexibleMesh::read_faces(const SolidMesh& from) {
 }
 
 void FlexibleMesh::write(SolidMesh& to) const {
+    SolidMesh made(to.points.allocator());
+    Buffer<std::uint32_t> number(allocator_);
+    write_tetrahedra(number, made);
+    write_faces(number, to, made);
+    write_edges(made);
+    write_points(to, made);
+    made.region_markers.copy(to.region_markers);
+    made.unused_regions.copy(to.unused_regions);
+    made.unused_holes.copy(to.unused_holes);
+    made.is_rounded = to.is_rounded;
+    made.grid = to.grid;
+    made.is_delaunay = false;
+    // If memory runs out before this, the mesh stays as it was.
+    to = std::move(made);
+}
+
+// Writes the tetrahedra, sorted, and their numbers.
+void FlexibleMesh::write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& made) const {
     Buffer<SortedCorners<4>> records(allocator_);
     for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
         if (tetrahedra[t].is_dead()) continue;
@@ -90,30 +108,25 @@ void FlexibleMesh::write(SolidMesh& to) const {
         records.push_back(record);
     }
     std::sort(records.begin(), records.end());
-    Buffer<std::uint32_t> number(allocator_);
     number.resize(tetrahedra.size(), no_index);
     for (std::uint32_t i = 0; i < records.size(); ++i) number[records[i].from] = i;
     const auto number_behind = [&](std::uint32_t code) {
         return code == no_index ? no_index : number[code / 4];
     };
-    to.tetrahedra.clear();
-    to.neighbors.clear();
-    to.regions.clear();
     for (SortedCorners<4>& record : records) {
         if (record.is_odd) std::swap(record.v[2], record.v[3]);
         const Tetrahedron& t = tetrahedra[record.from];
         for (const std::uint32_t v : record.v) {
-            to.tetrahedra.push_back(v);
-            to.neighbors.push_back(number_behind(t.n[t.position(v)]));
+            made.tetrahedra.push_back(v);
+            made.neighbors.push_back(number_behind(t.n[t.position(v)]));
         }
-        to.regions.push_back(regions[record.from]);
+        made.regions.push_back(regions[record.from]);
     }
-    write_faces(number, to);
-    write_points(to);
 }
 
-// Writes the faces at tetrahedra. Those at none stay.
-void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, SolidMesh& to) const {
+// Writes the faces at tetrahedra, and those of the mesh before that are at none.
+void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidMesh& before,
+                               SolidMesh& made) const {
     struct Source {
         Label label;
         std::uint32_t ends[2];
@@ -126,13 +139,15 @@ void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, SolidMesh& t
         records.push_back(record);
         sources.push_back(source);
     };
-    for (std::size_t f = 0; f < to.face_facets.size(); ++f) {
-        if (to.face_tetrahedra[2 * f] != no_index || to.face_tetrahedra[2 * f + 1] != no_index)
+    for (std::size_t f = 0; f < before.face_facets.size(); ++f) {
+        if (before.face_tetrahedra[2 * f] != no_index ||
+            before.face_tetrahedra[2 * f + 1] != no_index)
             continue;
         SortedCorners<3> record = {
-            {to.faces[3 * f], to.faces[3 * f + 1], to.faces[3 * f + 2]}, 0, false};
+            {before.faces[3 * f], before.faces[3 * f + 1], before.faces[3 * f + 2]}, 0, false};
         record.sort();
-        add(record, {{to.face_facets[f], to.face_markers[f]}, {no_index, no_index}, record.is_odd});
+        add(record,
+            {{before.face_facets[f], before.face_markers[f]}, {no_index, no_index}, record.is_odd});
     }
     for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
         for (unsigned i = 0; i < 4 && !tetrahedra[t].is_dead(); ++i) {
@@ -148,80 +163,62 @@ void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, SolidMesh& t
             add(face.corners, source);
         }
     std::sort(records.begin(), records.end());
-    to.faces.clear();
-    to.face_tetrahedra.clear();
-    to.face_facets.clear();
-    to.face_markers.clear();
-    to.unused_faces.clear();
     for (const SortedCorners<3>& record : records) {
         const Source& source = sources[record.from];
         if (source.ends[0] == no_index && source.ends[1] == no_index)
-            to.unused_faces.push_back(static_cast<std::uint32_t>(to.face_facets.size()));
-        to.faces.push_back(record.v[0]);
-        to.faces.push_back(record.v[source.turns ? 2 : 1]);
-        to.faces.push_back(record.v[source.turns ? 1 : 2]);
-        for (const std::uint32_t t : source.ends) to.face_tetrahedra.push_back(t);
-        to.face_facets.push_back(source.label.facet);
-        to.face_markers.push_back(source.label.marker);
+            made.unused_faces.push_back(static_cast<std::uint32_t>(made.face_facets.size()));
+        made.faces.push_back(record.v[0]);
+        made.faces.push_back(record.v[source.turns ? 2 : 1]);
+        made.faces.push_back(record.v[source.turns ? 1 : 2]);
+        for (const std::uint32_t t : source.ends) made.face_tetrahedra.push_back(t);
+        made.face_facets.push_back(source.label.facet);
+        made.face_markers.push_back(source.label.marker);
     }
 }
 
-// Writes the points and renumbers them: the caller's keep their numbers, and of the others those
-// that have left the mesh leave no gaps.
-void FlexibleMesh::write_points(SolidMesh& to) const {
-    const std::size_t given = to.points.size() / 3 - to.steiner_parameters.size();
+// Writes the points and gives vertices their numbers: the caller's keep theirs, and of the others
+// those that have left the mesh leave no gaps. A Steiner point stays on its edge if neither it nor
+// an end of the edge has moved.
+void FlexibleMesh::write_points(const SolidMesh& before, SolidMesh& made) const {
+    const std::size_t given = before.points.size() / 3 - before.steiner_parameters.size();
     Buffer<std::uint32_t> number(allocator_);
+    Buffer<std::uint8_t> has_moved(allocator_);
     number.resize(hints.size(), no_index);
-    auto count = static_cast<std::uint32_t>(given);
-    for (std::uint32_t v = 0; v < hints.size(); ++v)
-        if (v < given)
-            number[v] = v;
-        else if (is_lost[v] == 0)
-            number[v] = count++;
-    Buffer<double> points(to.points.allocator());
-    Buffer<std::uint32_t> edges_of_steiner(to.steiner_edges.allocator());
-    Buffer<double> parameters(to.steiner_parameters.allocator());
+    has_moved.resize(hints.size(), 0);
+    std::uint32_t count = 0;
     for (std::uint32_t v = 0; v < hints.size(); ++v) {
-        if (number[v] == no_index) continue;
+        if (v >= given && is_lost[v] != 0) continue;
+        number[v] = count++;
         // Points that have not moved keep their coordinates to the last bit.
-        const bool is_old = 3 * std::size_t{v} < to.points.size();
-        bool has_moved = !is_old;
+        const bool is_old = 3 * std::size_t{v} < before.points.size();
         for (std::size_t k = 3 * std::size_t{v}; k < 3 * std::size_t{v} + 3; ++k) {
-            const bool moves = !is_old || x[k] != std::ldexp(to.points[k], -scale_);
-            points.push_back(moves ? std::ldexp(x[k], scale_) : to.points[k]);
-            has_moved = has_moved || moves;
+            const bool moves = !is_old || x[k] != std::ldexp(before.points[k], -scale_);
+            made.points.push_back(moves ? std::ldexp(x[k], scale_) : before.points[k]);
+            if (moves) has_moved[v] = 1;
         }
+        made.point_origins.push_back(v < given ? before.point_origins[v] : no_index);
         if (v < given) continue;
-        for (std::size_t k = 0; k < 2; ++k)
-            edges_of_steiner.push_back(has_moved ? no_index
-                                                 : to.steiner_edges[2 * (v - given) + k]);
-        parameters.push_back(has_moved ? 0 : to.steiner_parameters[v - given]);
+        const std::uint32_t* const ends =
+            is_old ? before.steiner_edges.begin() + 2 * (v - given) : nullptr;
+        const bool is_on_edge = is_old && has_moved[v] == 0 && ends[0] != no_index &&
+                                has_moved[ends[0]] == 0 && has_moved[ends[1]] == 0;
+        for (int k = 0; k < 2; ++k) made.steiner_edges.push_back(is_on_edge ? ends[k] : no_index);
+        made.steiner_parameters.push_back(is_on_edge ? before.steiner_parameters[v - given] : 0);
     }
-    to.points = std::move(points);
-    to.steiner_edges = std::move(edges_of_steiner);
-    to.steiner_parameters = std::move(parameters);
-    to.point_origins.resize(count, no_index);
-    for (std::size_t v = given; v < count; ++v) to.point_origins[v] = no_index;
-    write_edges(to);
-    for (Buffer<std::uint32_t>* const list : {&to.tetrahedra, &to.faces, &to.edges})
+    for (Buffer<std::uint32_t>* const list : {&made.tetrahedra, &made.faces, &made.edges})
         for (std::uint32_t& v : *list) v = number[v];
-    to.unused_points.clear();
     for (std::uint32_t v = 0; v < given; ++v)
-        if (hints[to.point_origins[v]] == no_tetrahedron) to.unused_points.push_back(v);
-    to.exact_points.copy(to.points);
-    to.is_delaunay = false;
+        if (hints[made.point_origins[v]] == no_tetrahedron) made.unused_points.push_back(v);
+    made.exact_points.copy(made.points);
 }
 
 // Writes the edges: those that were read come first. Vertices have their numbers in this mesh.
-void FlexibleMesh::write_edges(SolidMesh& to) const {
-    to.edges.clear();
-    to.edge_segments.clear();
-    to.edge_markers.clear();
+void FlexibleMesh::write_edges(SolidMesh& made) const {
     edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin& origin) {
-        to.edges.push_back(a);
-        to.edges.push_back(b);
-        to.edge_segments.push_back(origin.segment);
-        to.edge_markers.push_back(origin.marker);
+        made.edges.push_back(a);
+        made.edges.push_back(b);
+        made.edge_segments.push_back(origin.segment);
+        made.edge_markers.push_back(origin.marker);
     });
 }
 

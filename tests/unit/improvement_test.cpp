@@ -436,6 +436,38 @@ TEST(Improvement, OperationsKeepTheMeshSound) {
     }
 }
 
+// Where memory runs out, nothing is lost but the improvement.
+TEST(Improvement, EndsWhereMemoryDoes) {
+    MeshedDomain domain;
+    give(domain, gridded_box(4, 3, 3, 0.45, 22));
+    domain.build();
+    std::size_t needed = 0;
+    {
+        Allocator memory;
+        FlexibleMesh mesh(domain.mesh(), memory);
+        improve(mesh, settings_for(30, true), 1);
+        needed = memory.peak();
+        Copy written(domain.mesh());
+        written.memory.set_limit(written.memory.bytes() + 1000);
+        EXPECT_THROW(mesh.write(written.mesh), std::bad_alloc);
+        expect_equal(domain.mesh(), written.mesh);
+        EXPECT_TRUE(written.mesh.is_delaunay);
+    }
+    int refused = 0;
+    for (int part = 1; part <= 20; ++part) {
+        Allocator memory;
+        memory.set_limit(needed * static_cast<std::size_t>(part) / 20);
+        try {
+            FlexibleMesh mesh(domain.mesh(), memory);
+            improve(mesh, settings_for(30, true), 1);
+        } catch (const std::bad_alloc&) {
+            ++refused;
+        }
+        EXPECT_EQ(memory.bytes(), 0u);
+    }
+    EXPECT_EQ(refused, 19);
+}
+
 // Vertices near corners of a box, between two edges of one line, leave: one edge takes the place of
 // each two.
 TEST(Improvement, ContractsEdgesAlongLines) {
