@@ -93,6 +93,10 @@ void FlexibleMesh::write(SolidMesh& to) const {
     made.is_rounded = to.is_rounded;
     made.grid = to.grid;
     made.is_delaunay = false;
+    made.planar_facets = to.planar_facets;
+    made.missing_facets = to.missing_facets;
+    made.cavities = to.cavities;
+    made.largest_cavity = to.largest_cavity;
     // If memory runs out before this, the mesh stays as it was.
     to = std::move(made);
 }

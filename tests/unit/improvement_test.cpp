@@ -87,13 +87,8 @@ struct Sums {
 Sums sums_of(const SolidMesh& m) {
     Sums sums;
     const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
-    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
-        const std::uint32_t* const v = m.tetrahedra.begin() + 4 * t;
-        sums.volumes[m.regions[t]] += determinant(point(v[1]), point(v[2]), point(v[3])) -
-                                      determinant(point(v[0]), point(v[2]), point(v[3])) +
-                                      determinant(point(v[0]), point(v[1]), point(v[3])) -
-                                      determinant(point(v[0]), point(v[1]), point(v[2]));
-    }
+    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t)
+        sums.volumes[m.regions[t]] += sixfold_volume(m, t);
     for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
         const double* const p[3] = {point(m.faces[3 * f]), point(m.faces[3 * f + 1]),
                                     point(m.faces[3 * f + 2])};
@@ -147,6 +142,8 @@ struct Copy {
         mesh.steiner_edges.copy(from.steiner_edges);
         mesh.steiner_parameters.copy(from.steiner_parameters);
         mesh.unused_faces.copy(from.unused_faces);
+        mesh.planar_facets = from.planar_facets;
+        mesh.cavities = from.cavities;
         mesh.is_rounded = from.is_rounded;
         mesh.grid = from.grid;
     }
@@ -251,6 +248,8 @@ TEST(FlexibleMesh, ReadsAndWritesMeshes) {
         Copy written(given);
         mesh.write(written.mesh);
         expect_equal(given, written.mesh);
+        EXPECT_EQ(given.planar_facets, written.mesh.planar_facets);
+        EXPECT_EQ(given.cavities, written.mesh.cavities);
     });
 }
 

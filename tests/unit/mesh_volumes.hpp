@@ -21,17 +21,20 @@ inline Rational determinant(const double* a, const double* b, const double* c) {
            x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
 }
 
+// Six times the volume of a tetrahedron.
+inline Rational sixfold_volume(const SolidMesh& m, std::size_t t) {
+    const std::uint32_t* const v = m.tetrahedra.begin() + 4 * t;
+    const auto point = [&](int i) { return m.points.begin() + 3 * std::size_t{v[i]}; };
+    return determinant(point(1), point(2), point(3)) - determinant(point(0), point(2), point(3)) +
+           determinant(point(0), point(1), point(3)) - determinant(point(0), point(1), point(2));
+}
+
 // Six times the volume of each region: by its tetrahedra, and by the faces of its boundary.
 inline void expect_equal_volumes(const SolidMesh& m) {
     std::map<std::uint32_t, Rational> inside, around;
     const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
-    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
-        const std::uint32_t* const v = m.tetrahedra.begin() + 4 * t;
-        inside[m.regions[t]] += determinant(point(v[1]), point(v[2]), point(v[3])) -
-                                determinant(point(v[0]), point(v[2]), point(v[3])) +
-                                determinant(point(v[0]), point(v[1]), point(v[3])) -
-                                determinant(point(v[0]), point(v[1]), point(v[2]));
-    }
+    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t)
+        inside[m.regions[t]] += sixfold_volume(m, t);
     for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
         const std::uint32_t* const v = m.faces.begin() + 3 * f;
         const Rational part = determinant(point(v[0]), point(v[1]), point(v[2]));
