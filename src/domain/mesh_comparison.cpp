@@ -320,7 +320,7 @@ class MeshComparison {
         if (!grid_.scale_place(place.x, x)) return;
         progress_.stop_request().poll();
         for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
-            if (mesh_.side(t, x) >= 0) f(t);
+            if (mesh_.side(mesh_.exact_points, t, x) >= 0) f(t);
     }
 
     const SolidMesh& mesh_;

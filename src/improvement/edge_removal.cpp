@@ -8,7 +8,8 @@
 namespace mgdt {
 namespace {
 
-// Position k for which positions i, j, k and the last one are an even permutation.
+// third[i][j] is the position k for which (i, j, k, l) is an even permutation of (0, 1, 2, 3),
+// where l is the position that is left.
 constexpr unsigned char third[4][4] = {{0, 2, 3, 1}, {3, 0, 0, 2}, {1, 3, 0, 0}, {2, 0, 1, 0}};
 
 }  // namespace

@@ -38,8 +38,10 @@ class EdgeRemoval {
     unsigned count_ = 0;
     bool is_closed_ = false;
     double worst_ = 0;
-    // For the polygon of the vertices i to j: the worst quality of the best tetrahedra that it has
-    // above and below, and the vertex of its triangle at the line between i and j.
+    // best_[i][j] belongs to the polygon of vertices i to j, which is divided into triangles. Each
+    // triangle is the face of two new tetrahedra. Of all divisions, the best one has the largest
+    // worst quality, which is best_[i][j]. Its triangle with vertices i and j has apex_[i][j] as
+    // the third vertex.
     double best_[most_around + 1][most_around + 1];
     unsigned char apex_[most_around + 1][most_around + 1];
 };

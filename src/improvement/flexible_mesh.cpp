@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "improvement/quality.hpp"
-#include "platform/error.hpp"
 
 namespace mgdt {
 
@@ -115,21 +114,12 @@ bool FlexibleMesh::apply(Change& change) {
         }
     }
     slots_.clear();
-    for (std::size_t k = 0; k < change.added.size(); ++k) {
-        if (k < change.removed.size()) {
-            slots_.push_back(change.removed[k]);
-        } else if (!free_slots.empty()) {
-            slots_.push_back(free_slots.back());
-            free_slots.pop_back();
-        } else {
-            const auto t = static_cast<std::uint32_t>(tetrahedra.size());
-            if (t >= max_tetrahedra) fail(MGDT_ERR_TOO_LARGE, "there are too many tetrahedra");
-            tetrahedra.push_back({});
-            regions.push_back(0);
-            qualities.push_back(0);
-            slots_.push_back(t);
-        }
-    }
+    for (std::size_t k = 0; k < change.added.size(); ++k)
+        slots_.push_back(k < change.removed.size() ? change.removed[k] : take_slot());
+    regions.grow(tetrahedra.size());
+    regions.resize(tetrahedra.size());
+    qualities.grow(tetrahedra.size());
+    qualities.resize(tetrahedra.size());
     for (std::size_t k = change.added.size(); k < change.removed.size(); ++k)
         remove(change.removed[k]);
     // Faces of the mesh that end it and leave have no link to be written.

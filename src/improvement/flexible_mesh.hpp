@@ -13,9 +13,9 @@ namespace mgdt {
 
 class FlexibleMesh : public LinkedTetrahedra {
   public:
-    // The facet that a face is a part of, from one side: twice the label of the facet, plus 0 for
-    // the tetrahedron from which the corners of the facet appear counter-clockwise, 1 for the
-    // other.
+    // Names the facet that a face is a part of, and a side of the face. It is twice the label of
+    // the facet if the corners of the facet appear counter-clockwise from that side, and one more
+    // otherwise.
     using Side = std::uint32_t;
     static constexpr std::uint32_t label_of(Side side) noexcept { return side / 2; }
 

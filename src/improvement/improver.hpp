@@ -41,7 +41,6 @@ class Improver {
     // Makes the tetrahedra below a quality the candidates. Returns by how much they miss it, all
     // together, in units of the quality.
     double choose(double quality);
-    std::size_t candidate_count() const noexcept { return candidates_.size(); }
 
   private:
     struct Finder {

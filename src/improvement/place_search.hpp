@@ -10,8 +10,8 @@ namespace mgdt {
 
 // How a vertex moves.
 struct Moves {
-    int most;       // at most so many times
-    double enough;  // until the worst quality is this one
+    int most;       // the largest number of moves
+    double enough;  // the worst quality at which the vertex stops
     double goal;    // below which tetrahedra are to be as few as possible
     bool push;      // whether moves may increase what qualities miss to the goal, all together
 };

@@ -21,7 +21,8 @@ QualityGradient quality_gradient(const double* a, const double* b, const double*
     const double volume = dot(e[1], n1);
     double square[4];
     for (int i = 0; i < 4; ++i) square[i] = dot(n[i], n[i]);
-    // The worst edge: between corners i and j, with the faces opposite k and m.
+    // Finds the edge with the worst angle. Each row has the corners i and j at the ends of an edge,
+    // and the corners k and m opposite the two faces at that edge.
     static constexpr unsigned char corners[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
                                                     {1, 2, 0, 3}, {2, 3, 0, 1}, {1, 3, 0, 2}};
     double least = 0, length = 0;

@@ -199,7 +199,8 @@ class EmbeddingCheck {
             if (!meet_in_common_face(simplex(corner, 3), s)) return true;
         }
         for (int k = 0; k < s.size && is_inside; ++k)
-            is_inside = mesh_.side(t, s.x[k]) > 0 || std::find(v, v + 4, s.number[k]) != v + 4;
+            is_inside = mesh_.side(mesh_.exact_points, t, s.x[k]) > 0 ||
+                        std::find(v, v + 4, s.number[k]) != v + 4;
         return is_inside && std::find(v, v + 4, s.number[0]) == v + 4;
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the tetrahedra of a domain's mesh overlap or leave gaps.
+// Whether the tetrahedra of a mesh overlap or leave gaps.
 #pragma once
 
 #include "platform/stage_progress.hpp"

@@ -209,8 +209,8 @@ class Linking {
         }
     };
 
-    // Joins faces that continue each other, and numbers the facets in the order of their first
-    // faces. Edges of other faces are edges of the mesh.
+    // Joins faces that continue each other to facets, and numbers the facets in the order of their
+    // first faces. Writes the edges at which facets end.
     void number_facets() {
         PairTable kept(allocator_);
         for (std::size_t e = 0; e < given_.edges.size(); e += 2)
@@ -289,7 +289,8 @@ class Linking {
         for (double& c_ : n) c_ = square > 0 ? c_ / std::sqrt(square) : 0;
     }
 
-    // Adds the caller's edges, and sorts all. Each has to be an edge of a tetrahedron.
+    // Adds the caller's edges to those of facets, and sorts all edges. Refuses an edge that is not
+    // an edge of a tetrahedron.
     void add_edges() {
         PairTable edges(allocator_);
         for (std::size_t e = 0; e < out_.edges.size(); e += 2)

@@ -17,7 +17,8 @@ struct GivenMesh {
           edge_markers(allocator) {}
 
     Buffer<double> points;
-    // Corners are below the number of points. Markers are as many as what they mark, or none.
+    // All corners and ends are numbers of points. A list of markers has one for each item that it
+    // marks, or is empty.
     Buffer<std::uint32_t> tetrahedra;
     Buffer<std::int32_t> tetrahedron_markers;
     Buffer<std::uint32_t> faces;
@@ -26,12 +27,13 @@ struct GivenMesh {
     Buffer<std::int32_t> edge_markers;
 };
 
-// Makes a mesh of the caller's tetrahedra, whose corners may have any order. A region is the
-// tetrahedra of one marker. The faces of the mesh are the caller's, those where it ends, and those
-// between regions; its edges are the caller's, and those of faces that do not continue each other
-// in one plane. Such faces form a facet. Throws MGDT_ERR_INVALID_ARGUMENT, with the number of what
-// is wrong, if a tetrahedron is flat, if tetrahedra at a face are more than two or on the same side
-// of it, or if a face or an edge is none of a tetrahedron.
+// Makes a mesh of the caller's tetrahedra. Their corners may have any order. All tetrahedra with
+// the same marker form a region. The mesh lists the caller's faces, the faces at which it ends, and
+// the faces between regions. Listed faces that continue each other in one plane form a facet. The
+// mesh lists the caller's edges, and the edges at which facets end. Throws
+// MGDT_ERR_INVALID_ARGUMENT, with the number of what is wrong, if a tetrahedron is flat, if
+// tetrahedra at a face are more than two or on the same side of it, or if a face or an edge is none
+// of a tetrahedron.
 void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
                SolidMesh& out);
 

@@ -52,9 +52,12 @@ struct LinkedTetrahedra {
         if (const std::uint32_t other = of(face).n[face % 4]; other != no_index)
             of(other).facets[other % 4] = facet;
     }
-    // Adds a tetrahedron in a free slot. Its faces have no neighbours yet and are on no facet.
+    // Adds a tetrahedron and returns its number. Its faces have no neighbours and are parts of no
+    // facet.
     std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
     void remove(std::uint32_t tetrahedron);
+    // The number of a free slot, or of a new one, which is to be filled.
+    std::uint32_t take_slot();
 
     Buffer<Tetrahedron> tetrahedra;
     Buffer<std::uint32_t> free_slots;

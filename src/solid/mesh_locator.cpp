@@ -26,18 +26,6 @@ Buffer<BoundingBox> boxes_of(Allocator& allocator, const SolidMesh& mesh) {
 MeshLocator::MeshLocator(Allocator& allocator, const SolidMesh& mesh, const StopRequest& stop)
     : mesh_(mesh), boxes_(boxes_of(allocator, mesh)), tree_(allocator, boxes_, stop) {}
 
-int MeshLocator::side(std::uint32_t t, const double* place) const noexcept {
-    const auto corner = [&](unsigned i) {
-        return mesh_.points.begin() + 3 * std::size_t{mesh_.tetrahedra[4 * std::size_t{t} + i]};
-    };
-    int least = 1;
-    for (unsigned i = 0; i < 4 && least >= 0; ++i) {
-        const unsigned char* const f = outer_face[i];
-        least = std::min(least, -orientation(place, corner(f[0]), corner(f[1]), corner(f[2])));
-    }
-    return least;
-}
-
 // Walks some steps towards a place. Returns the tetrahedron that has it inside, if the walk ends
 // there: no other one contains the place then.
 std::uint32_t MeshLocator::walk(const double* place, std::uint32_t from) const {
@@ -60,7 +48,8 @@ std::uint32_t MeshLocator::walk(const double* place, std::uint32_t from) const {
                 next = behind;
             }
         }
-        if (next == no_index) return is_inside && side(t, place) > 0 ? t : no_index;
+        if (next == no_index)
+            return is_inside && mesh_.side(mesh_.points, t, place) > 0 ? t : no_index;
         last = t;
         t = next;
     }
@@ -71,7 +60,7 @@ std::uint32_t MeshLocator::locate(const double* place, std::uint32_t near) const
     if (const std::uint32_t t = walk(place, near); t != no_index) return t;
     std::uint32_t first = no_index;
     tree_.for_each_at(BoundingBox(place), [&](std::uint32_t t) {
-        if (t < first && side(t, place) >= 0) first = t;
+        if (t < first && mesh_.side(mesh_.points, t, place) >= 0) first = t;
     });
     return first;
 }

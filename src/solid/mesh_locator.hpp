@@ -17,8 +17,6 @@ class MeshLocator {
     std::uint32_t locate(const double* place, std::uint32_t near) const;
 
   private:
-    // 1 if a place is inside of a tetrahedron, 0 if it is on the boundary, -1 if it is outside.
-    int side(std::uint32_t t, const double* place) const noexcept;
     std::uint32_t walk(const double* place, std::uint32_t from) const;
 
     const SolidMesh& mesh_;

@@ -22,9 +22,10 @@ void SolidMesh::place_on_segment(const double* a, const double* b, double t, con
     }
 }
 
-int SolidMesh::side(std::uint32_t t, const double* x) const noexcept {
+int SolidMesh::side(const Buffer<double>& coordinates, std::uint32_t t,
+                    const double* x) const noexcept {
     const auto corner = [&](unsigned i) {
-        return exact_points.begin() + 3 * std::size_t{tetrahedra[4 * std::size_t{t} + i]};
+        return coordinates.begin() + 3 * std::size_t{tetrahedra[4 * std::size_t{t} + i]};
     };
     int least = 1;
     for (unsigned i = 0; i < 4 && least >= 0; ++i) {

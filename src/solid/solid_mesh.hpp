@@ -36,9 +36,10 @@ struct SolidMesh {
     // ends, in steps; if the ends are on the grid themselves, it is the result.
     static void place_on_segment(const double* a, const double* b, double t, const double* on_grid,
                                  const RoundingGrid& grid, double* x) noexcept;
-    // 1 if a place, in steps of the grid, is inside of a tetrahedron, 0 if it is on the boundary,
-    // -1 if it is outside.
-    int side(std::uint32_t t, const double* x) const noexcept;
+    // 1 if a place is inside of a tetrahedron, 0 if it is on the boundary, -1 if it is outside. The
+    // corners have their places in `coordinates`: `points`, or `exact_points` for a place in steps
+    // of the grid.
+    int side(const Buffer<double>& coordinates, std::uint32_t t, const double* x) const noexcept;
 
     // The caller's points come first, then the Steiner points.
     Buffer<double> points;
