@@ -64,6 +64,7 @@ module mgdt
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
     public :: mgdt_tetrahedron_volume, mgdt_tetrahedron_radius_ratio, &
+              mgdt_tetrahedron_volume_length, mgdt_tetrahedron_edge_ratio, &
               mgdt_tetrahedron_least_dihedral_angle, mgdt_tetrahedron_largest_dihedral_angle, &
               mgdt_tetrahedron_longest_edge
     public :: mgdt_interpolate_linear, mgdt_interpolate_nearest, mgdt_interpolate_sibson, &
@@ -83,22 +84,31 @@ module mgdt
               mgdt_voronoi_array_cell_centroids, mgdt_voronoi_array_cell_face_areas, &
               mgdt_voronoi_array_cell_neighbor_distances
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
-              mgdt_mesh_option_memory_limit
+              mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
+              mgdt_mesh_option_points, mgdt_mesh_option_mean_passes, &
+              mgdt_mesh_option_most_passes
+    public :: mgdt_boundary_fixed, mgdt_boundary_slide
+    public :: mgdt_points_keep, mgdt_points_move, mgdt_points_remove
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
               mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
-              mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, mgdt_mesh_stat_grid_bits, &
+              mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, &
+              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_grid_bits, &
               mgdt_mesh_stat_unused_points, mgdt_mesh_stat_unused_faces, &
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &
-              mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity
+              mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity, mgdt_mesh_stat_below_goal, &
+              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points
+    public :: mgdt_reason_none, mgdt_reason_input_angle, mgdt_reason_thin_face, &
+              mgdt_reason_fixed_corners, mgdt_reason_other
     public :: mgdt_mesh_array_point_origins, mgdt_mesh_array_tetrahedra, &
               mgdt_mesh_array_neighbors, mgdt_mesh_array_tetrahedron_regions, &
               mgdt_mesh_array_region_markers, mgdt_mesh_array_faces, &
               mgdt_mesh_array_face_tetrahedra, mgdt_mesh_array_face_facets, &
               mgdt_mesh_array_face_markers, mgdt_mesh_array_edges, &
               mgdt_mesh_array_edge_segments, mgdt_mesh_array_edge_markers, &
-              mgdt_mesh_array_steiner_edges, mgdt_mesh_array_points, &
-              mgdt_mesh_array_steiner_parameters
+              mgdt_mesh_array_steiner_edges, mgdt_mesh_array_reasons, &
+              mgdt_mesh_array_angle_histogram, mgdt_mesh_array_tetrahedra_below, &
+              mgdt_mesh_array_points, mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
               mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &

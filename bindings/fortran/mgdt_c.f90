@@ -480,6 +480,20 @@ module mgdt_c
             character(kind=c_char), intent(inout) :: buffer(*)
             integer(c_int32_t) :: status
         end function
+        function c_mesh_create(out) result(status) bind(c, name='mgdt_mesh_create')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_create_with_allocator(alloc, release, user, out) result(status) &
+            bind(c, name='mgdt_mesh_create_with_allocator')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_funptr), value :: alloc
+            type(c_funptr), value :: release
+            type(c_ptr), value :: user
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
         subroutine c_mesh_destroy(m) bind(c, name='mgdt_mesh_destroy')
             import :: c_ptr
             type(c_ptr), value :: m
@@ -517,6 +531,23 @@ module mgdt_c
             integer(c_int32_t) :: status
         end function
         function c_mesh_cancel(m) result(status) bind(c, name='mgdt_mesh_cancel')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_points(m, n, xyz) result(status) bind(c, name='mgdt_mesh_set_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_build(m) result(status) bind(c, name='mgdt_mesh_build')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_improve(m) result(status) bind(c, name='mgdt_mesh_improve')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: m
             integer(c_int32_t) :: status
@@ -1290,6 +1321,88 @@ module mgdt_c
             integer(c_int32_t), value :: array
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_set_tetrahedra
+        function c_mesh_set_tetrahedra_i32(m, n, corners, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_tetrahedra_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_tetrahedra_i64(m, n, corners, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_tetrahedra')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_set_faces
+        function c_mesh_set_faces_i32(m, n, corners, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_faces_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_faces_i64(m, n, corners, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_faces')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_set_edges
+        function c_mesh_set_edges_i32(m, n, ends, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_edges_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: ends(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_edges_i64(m, n, ends, markers) result(status) &
+            bind(c, name='mgdt_mesh_set_edges')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: ends(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_set_fixed_points
+        function c_mesh_set_fixed_points_i32(m, n, points) result(status) &
+            bind(c, name='mgdt_mesh_set_fixed_points_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_fixed_points_i64(m, n, points) result(status) &
+            bind(c, name='mgdt_mesh_set_fixed_points')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: points(*)
             integer(c_int32_t) :: status
         end function
     end interface

@@ -176,6 +176,12 @@ module mgdt_constants
     ! 3 times the radius of the inscribed sphere over that of the circumsphere: 1 for a regular
     ! tetrahedron, near 0 for a flat one.
     integer, parameter :: mgdt_tetrahedron_radius_ratio = 20
+    ! 6 sqrt(2) times the volume over the third power of the root mean square of the six edges: 1
+    ! for a regular tetrahedron, near 0 for a flat one (Parthasarathy, Graichen and Hathaway, Finite
+    ! Elements in Analysis and Design 15, 1994). Since 1.4.
+    integer, parameter :: mgdt_tetrahedron_volume_length = 21
+    ! Length of the longest edge over that of the shortest one, at least 1. Since 1.4.
+    integer, parameter :: mgdt_tetrahedron_edge_ratio = 22
     ! Least of the six dihedral angles.
     integer, parameter :: mgdt_tetrahedron_least_dihedral_angle = 30
     ! Largest of the six dihedral angles.
@@ -286,12 +292,44 @@ module mgdt_constants
     integer, parameter :: mgdt_voronoi_array_cell_neighbor_distances = 333
 
     ! Options.
-    ! 0 or 1, at first that of the domain. It applies to indices that are read later.
+    ! 0 or 1, at first that of the domain, or 0. It applies to indices that are passed later.
     integer, parameter :: mgdt_mesh_option_index_base = 10
-    ! Threads, see mgdt_set_threads(), at first those of the domain; 0 for all cores.
+    ! Threads, see mgdt_set_threads(), at first those of the domain, or 1; 0 for all cores.
     integer, parameter :: mgdt_mesh_option_threads = 20
     ! Bytes that the handle may hold, at first the limit of the domain; 0 for no limit.
     integer, parameter :: mgdt_mesh_option_memory_limit = 30
+    ! The goal g of mgdt_mesh_improve() in degrees, from 0 to 70, at first 25: no dihedral angle
+    ! should be below g, and no sine of an obtuse one below sin(g) / 0.7, so that the largest angle
+    ! is 142.9 degrees for g = 25. Most meshes reach 25 soon and 30 later; few reach 35. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_goal = 40
+    ! What mgdt_mesh_improve() may do to faces and edges that the mesh lists: an MGDT_BOUNDARY_
+    ! value, at first MGDT_BOUNDARY_FIXED. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_boundary = 41
+    ! What mgdt_mesh_improve() may do to the points that were set: an MGDT_POINTS_ value, at first
+    ! MGDT_POINTS_KEEP for a mesh of a domain, and MGDT_POINTS_MOVE for one of the caller's
+    ! tetrahedra. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_points = 42
+    ! How often mgdt_mesh_improve() moves all points to improve the mean of the shapes, from 0 to
+    ! 1000, at first 3. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_mean_passes = 43
+    ! The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000, at
+    ! first 100. Few of them suffice for most meshes. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_most_passes = 44
+
+    ! Values of MGUBND.
+    ! Faces and edges that the mesh lists stay as they are.
+    integer, parameter :: mgdt_boundary_fixed = 0
+    ! The surface stays, but its points move: within the facet that they are inside of, or along a
+    ! straight line of edges, but for rounding; and other faces may divide the facet.
+    integer, parameter :: mgdt_boundary_slide = 1
+
+    ! Values of MGUPNT.
+    ! They stay where they are.
+    integer, parameter :: mgdt_points_keep = 0
+    ! They may move.
+    integer, parameter :: mgdt_points_move = 1
+    ! They may move, and may become points of no tetrahedron.
+    integer, parameter :: mgdt_points_remove = 2
 
     ! Numbers.
     ! Points, Steiner points included.
@@ -310,6 +348,9 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_stat_memory_bytes = 110
     ! 1 if the points that are returned are rounded.
     integer, parameter :: mgdt_mesh_stat_is_rounded = 120
+    ! 1 if the mesh is the constrained Delaunay triangulation of its points, as mgdt_domain_build()
+    ! has made it. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_is_delaunay = 122
     ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
     ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
     integer, parameter :: mgdt_mesh_stat_grid_bits = 121
@@ -330,13 +371,34 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_stat_cavities = 142
     ! The most tetrahedra in one of them.
     integer, parameter :: mgdt_mesh_stat_largest_cavity = 143
+    ! Tetrahedra that the last mgdt_mesh_improve() has left below the goal. This number and the next
+    ! three are 0 before. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_below_goal = 150
+    ! Passes over tetrahedra below the goal. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_passes = 151
+    ! Points that were set and have moved. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_moved_points = 152
+    ! Points that were set and have lost all of their tetrahedra. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_removed_points = 153
+
+    ! Elements of MGUREA.
+    ! It reaches the goal.
+    integer, parameter :: mgdt_reason_none = 0
+    ! Two of its faces are parts of facets with a smaller angle between them.
+    integer, parameter :: mgdt_reason_input_angle = 1
+    ! It is at a corner of a face of a facet that has a smaller angle itself.
+    integer, parameter :: mgdt_reason_thin_face = 2
+    ! None of its corners may move.
+    integer, parameter :: mgdt_reason_fixed_corners = 3
+    integer, parameter :: mgdt_reason_other = 4
 
     ! Arrays.
-    ! For each point the point of the domain that it is, of equal ones the first; none for a Steiner
-    ! point.
+    ! For each point the point that was set and that it is, of equal ones of a domain the first;
+    ! none for a Steiner point.
     integer, parameter :: mgdt_mesh_array_point_origins = 200
     ! Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
-    ! tetrahedra are sorted by their corners.
+    ! tetrahedra of mgdt_domain_build() and mgdt_mesh_improve() are sorted by their corners; those
+    ! of mgdt_mesh_build() have the caller's order.
     integer, parameter :: mgdt_mesh_array_tetrahedra = 210
     ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. None means that
     ! the domain ends there.
@@ -344,32 +406,49 @@ module mgdt_constants
     ! The region of each tetrahedron.
     integer, parameter :: mgdt_mesh_array_tetrahedron_regions = 212
     ! The marker of each region: that of the last place of mgdt_domain_set_regions() inside of it,
-    ! or 0.
+    ! or 0; or that of the caller's tetrahedra, of which those with one marker are a region.
     integer, parameter :: mgdt_mesh_array_region_markers = 220
     ! Three corners for each face of the mesh that is a part of a facet. They turn in the same
-    ! direction as those of the facet.
+    ! direction as those of the facet. mgdt_mesh_build() lists the caller's faces first.
     integer, parameter :: mgdt_mesh_array_faces = 230
     ! The two tetrahedra at each face: first the one from which the corners appear counter-
     ! clockwise, then the other one.
     integer, parameter :: mgdt_mesh_array_face_tetrahedra = 231
-    ! The facet that each face is a part of; of facets that are joined, the first one.
+    ! The facet that each face is a part of; of facets that are joined, the first one. Of a mesh of
+    ! the caller's tetrahedra facets are what its faces form in one plane; they are numbered in the
+    ! order of their first faces.
     integer, parameter :: mgdt_mesh_array_face_facets = 232
     ! The marker of this facet.
     integer, parameter :: mgdt_mesh_array_face_markers = 233
     ! Two ends for each edge of the mesh that is a part of a segment, or of an edge of facets that
-    ! does not lie inside of a joined facet.
+    ! does not lie inside of a joined facet. mgdt_mesh_build() lists the caller's edges first.
     integer, parameter :: mgdt_mesh_array_edges = 240
-    ! The segment that the caller has set and that each of these edges is a part of, or none.
+    ! The segment, or the edge of mgdt_mesh_set_edges(), that each of these edges is a part of, or
+    ! none.
     integer, parameter :: mgdt_mesh_array_edge_segments = 241
     ! The marker of this segment, or 0.
     integer, parameter :: mgdt_mesh_array_edge_markers = 242
     ! For each Steiner point the two points a and b that it is between. Later versions may add
     ! Steiner points that are between no two points: then a and b are none.
     integer, parameter :: mgdt_mesh_array_steiner_edges = 250
+    ! For each tetrahedron an MGDT_REASON_ value: why mgdt_mesh_improve() has left it below the
+    ! goal. Empty before. Since 1.4.
+    integer, parameter :: mgdt_mesh_array_reasons = 260
+    ! 18 rows of two numbers, before and after mgdt_mesh_improve(): how many dihedral angles are at
+    ! least 10 i and below 10 (i + 1) degrees, for i from 0 to 17; each tetrahedron has six. Empty
+    ! before. Since 1.4.
+    integer, parameter :: mgdt_mesh_array_angle_histogram = 261
+    ! Six rows of two numbers, before and after mgdt_mesh_improve(): how many tetrahedra have a
+    ! dihedral angle below 5, 10, 15, 20, 25 and 30 degrees. Empty before. Since 1.4.
+    integer, parameter :: mgdt_mesh_array_tetrahedra_below = 262
     ! Three coordinates of each point: first the points that were set, then the Steiner points.
     integer, parameter :: mgdt_mesh_array_points = 300
     ! For each Steiner point the number t for which it is a + t (b - a).
     integer, parameter :: mgdt_mesh_array_steiner_parameters = 310
+    ! Three rows of two numbers, before and after mgdt_mesh_improve(): the least and the largest
+    ! dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
+    ! Since 1.4.
+    integer, parameter :: mgdt_mesh_array_shapes = 320
 
     ! Kinds.
     integer, parameter :: mgdt_domain_kind_facet = 0

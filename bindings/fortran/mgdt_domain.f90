@@ -30,22 +30,27 @@ module mgdt_domain
               mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
     public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
-              mgdt_mesh_option_memory_limit
+              mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
+              mgdt_mesh_option_points, mgdt_mesh_option_mean_passes, &
+              mgdt_mesh_option_most_passes
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
               mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
-              mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, mgdt_mesh_stat_grid_bits, &
+              mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, &
+              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_grid_bits, &
               mgdt_mesh_stat_unused_points, mgdt_mesh_stat_unused_faces, &
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &
-              mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity
+              mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity, mgdt_mesh_stat_below_goal, &
+              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points
     public :: mgdt_mesh_array_point_origins, mgdt_mesh_array_tetrahedra, &
               mgdt_mesh_array_neighbors, mgdt_mesh_array_tetrahedron_regions, &
               mgdt_mesh_array_region_markers, mgdt_mesh_array_faces, &
               mgdt_mesh_array_face_tetrahedra, mgdt_mesh_array_face_facets, &
               mgdt_mesh_array_face_markers, mgdt_mesh_array_edges, &
               mgdt_mesh_array_edge_segments, mgdt_mesh_array_edge_markers, &
-              mgdt_mesh_array_steiner_edges, mgdt_mesh_array_points, &
-              mgdt_mesh_array_steiner_parameters
+              mgdt_mesh_array_steiner_edges, mgdt_mesh_array_reasons, &
+              mgdt_mesh_array_angle_histogram, mgdt_mesh_array_tetrahedra_below, &
+              mgdt_mesh_array_points, mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
               mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, &
@@ -391,26 +396,6 @@ contains
         call finish(self, 'set_facets', status, stat, errmsg)
     end subroutine
 
-    ! Segments ends(2, n), with markers(n).
-    subroutine set_segments_i32(self, ends, markers, stat, errmsg)
-        class(mgdt_domain_input), intent(inout) :: self
-        integer(int32), contiguous, intent(in) :: ends(:, :)
-        integer, intent(in), optional :: markers(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t), allocatable, target :: of_segments(:)
-        integer(int64) :: n
-        integer(c_int32_t) :: status
-
-        if (.not. has_extent('set_segments', 'ends', size(ends, 1), 2, stat, errmsg)) return
-        n = size(ends, 2, kind=int64)
-        if (.not. are_stored(markers, n, of_segments, 'set_segments', stat, errmsg)) return
-        call make(self, status)
-        if (status == mgdt_ok) status = c_domain_set_segments_i32( &
-            self%handle, n, ends, address_of(of_segments))
-        call finish(self, 'set_segments', status, stat, errmsg)
-    end subroutine
-
     ! Facets with the same number of corners each, corners(3, n) for triangles. The shape says which
     ! form is meant: two ranks for this one. markers(n) are 0 where there are none.
     subroutine set_facets_i64(self, corners, markers, stat, errmsg)
@@ -483,24 +468,45 @@ contains
     end subroutine
 
     ! Segments ends(2, n), with markers(n).
+    subroutine set_segments_i32(self, ends, markers, stat, errmsg)
+        class(mgdt_domain_input), intent(inout) :: self
+        integer(int32), contiguous, intent(in) :: ends(:, :)
+        integer, intent(in), optional :: markers(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t), allocatable, target :: of_items(:)
+        integer(int64) :: n
+        integer(c_int32_t) :: status
+
+        if (.not. has_extent('set_segments', 'ends', size(ends, 1), 2, stat, errmsg)) return
+        n = size(ends, 2, kind=int64)
+        if (.not. are_stored(markers, n, of_items, 'set_segments', stat, errmsg)) return
+        call make(self, status)
+        if (status == mgdt_ok) status = c_domain_set_segments_i32( &
+            self%handle, n, ends, address_of(of_items))
+        call finish(self, 'set_segments', status, stat, errmsg)
+    end subroutine
+
+    ! Segments ends(2, n), with markers(n).
     subroutine set_segments_i64(self, ends, markers, stat, errmsg)
         class(mgdt_domain_input), intent(inout) :: self
         integer(int64), contiguous, intent(in) :: ends(:, :)
         integer, intent(in), optional :: markers(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        integer(c_int32_t), allocatable, target :: of_segments(:)
+        integer(c_int32_t), allocatable, target :: of_items(:)
         integer(int64) :: n
         integer(c_int32_t) :: status
 
         if (.not. has_extent('set_segments', 'ends', size(ends, 1), 2, stat, errmsg)) return
         n = size(ends, 2, kind=int64)
-        if (.not. are_stored(markers, n, of_segments, 'set_segments', stat, errmsg)) return
+        if (.not. are_stored(markers, n, of_items, 'set_segments', stat, errmsg)) return
         call make(self, status)
         if (status == mgdt_ok) status = c_domain_set_segments_i64( &
-            self%handle, n, ends, address_of(of_segments))
+            self%handle, n, ends, address_of(of_items))
         call finish(self, 'set_segments', status, stat, errmsg)
     end subroutine
+
 
     ! Gives the regions around places xyz(3, n) their markers(n).
     subroutine set_regions(self, xyz, markers, stat, errmsg)
@@ -692,16 +698,6 @@ contains
             int(mgdt_domain_option_index_base, c_int32_t), 1_c_int64_t)
     end subroutine
 
-    function index_base(self) result(base)
-        class(mgdt_domain_input), intent(in) :: self
-        integer(int64) :: base
-        integer(c_int32_t) :: status
-
-        base = 1
-        if (c_associated(self%handle)) status = c_domain_get_option( &
-            self%handle, int(mgdt_domain_option_index_base, c_int32_t), base)
-    end function
-
     ! The first of the markers, or null if there are none.
     function address_of(markers) result(first)
         integer(c_int32_t), allocatable, intent(in), target :: markers(:)
@@ -755,6 +751,16 @@ contains
         has = found == needed
         if (.not. has) call refuse(procedure, name//' has the first extent '// &
             decimal(int(found, int64))//'; it must be '//decimal(int(needed, int64)), stat, errmsg)
+    end function
+
+    function index_base(self) result(base)
+        class(mgdt_domain_input), intent(in) :: self
+        integer(int64) :: base
+        integer(c_int32_t) :: status
+
+        base = 1
+        if (c_associated(self%handle)) status = c_domain_get_option( &
+            self%handle, int(mgdt_domain_option_index_base, c_int32_t), base)
     end function
 
     subroutine refuse(procedure, reason, stat, errmsg)

@@ -4,8 +4,24 @@
 ! Meshes for FORTRAN 77: external subroutines, to be compiled with the flags of the code that calls
 ! them, after those of mgdt_f77.f90. docs/fortran.md lists them. Since 1.3.
 !
-! H is INTEGER H(4), a handle as MGNEW's, but of a mesh, which MGDBLD makes: these subroutines alone
-! take it. The last argument is the status. Points, tetrahedra and regions have numbers from 1.
+! H is INTEGER H(4), a handle as MGNEW's, but of a mesh, which MGDBLD or MGUNEW makes: these
+! subroutines alone take it. The last argument is the status. Points, tetrahedra and regions have
+! numbers from 1.
+
+! Makes a mesh without tetrahedra. Since 1.4.
+subroutine mgunew(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(inout) :: h(4)
+    integer, intent(inout) :: ierr
+    type(c_ptr) :: pointer
+
+    if (integers_differ(h, ierr)) return
+    ierr = c_mesh_create(pointer)
+    if (ierr == mgdt_ok) &
+        ierr = c_mesh_set_option(pointer, to_c(mgdt_mesh_option_index_base), 1_c_int64_t)
+    call pack_handle(pointer, h, of_mesh)
+end subroutine
 
 ! Frees the mesh and empties the handle.
 subroutine mgufre(h, ierr)
@@ -25,7 +41,102 @@ subroutine mgufre(h, ierr)
     call pack_handle(c_null_ptr, h)
 end subroutine
 
-! Option KEY, MGUBAS to MGULIM.
+! Sets N points, XYZ(3, N). Tetrahedra, faces, edges and fixed points that were set before are
+! removed. Since 1.4, as the next six.
+subroutine mguinp(h, n, xyz, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_mesh_set_points(handle_of(h, of_mesh), int(n, c_int64_t), xyz)
+end subroutine
+
+! Sets N tetrahedra, ITET(4, N), with markers MARK(N).
+subroutine mguint(h, n, itet, mark, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in) :: itet(*), mark(*)
+    integer, intent(inout) :: ierr
+    integer(c_int32_t), allocatable, target :: markers(:)
+
+    if (integers_differ(h, ierr, n)) return
+    call as_markers(mark, int(max(n, 0), c_int64_t), markers, ierr)
+    if (ierr /= mgdt_ok) return
+    ierr = c_mesh_set_tetrahedra(handle_of(h, of_mesh), int(n, c_int64_t), itet, c_loc(markers))
+end subroutine
+
+! Sets N faces, ITRI(3, N), with markers MARK(N).
+subroutine mgutri(h, n, itri, mark, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in) :: itri(*), mark(*)
+    integer, intent(inout) :: ierr
+    integer(c_int32_t), allocatable, target :: markers(:)
+
+    if (integers_differ(h, ierr, n)) return
+    call as_markers(mark, int(max(n, 0), c_int64_t), markers, ierr)
+    if (ierr /= mgdt_ok) return
+    ierr = c_mesh_set_faces(handle_of(h, of_mesh), int(n, c_int64_t), itri, c_loc(markers))
+end subroutine
+
+! Sets N edges, IEND(2, N), with markers MARK(N).
+subroutine mguseg(h, n, iend, mark, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in) :: iend(*), mark(*)
+    integer, intent(inout) :: ierr
+    integer(c_int32_t), allocatable, target :: markers(:)
+
+    if (integers_differ(h, ierr, n)) return
+    call as_markers(mark, int(max(n, 0), c_int64_t), markers, ierr)
+    if (ierr /= mgdt_ok) return
+    ierr = c_mesh_set_edges(handle_of(h, of_mesh), int(n, c_int64_t), iend, c_loc(markers))
+end subroutine
+
+! Sets N points, IPTS(N), that MGUIMP leaves where they are.
+subroutine mguinx(h, n, ipts, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in) :: ipts(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_mesh_set_fixed_points(handle_of(h, of_mesh), int(n, c_int64_t), ipts)
+end subroutine
+
+! Makes the mesh of what was set, in place of the one that there was.
+subroutine mgubld(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_build(handle_of(h, of_mesh))
+end subroutine
+
+! Improves the tetrahedra until they reach the goal, or nothing helps.
+subroutine mguimp(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_improve(handle_of(h, of_mesh))
+end subroutine
+
+! Option KEY, MGUBAS to MGUXPA.
 subroutine mguopt(h, key, ival, ierr)
     use mgdt_f77_support
     implicit none
@@ -102,7 +213,7 @@ subroutine mgunpr(h, ierr)
     ierr = c_mesh_set_progress(handle_of(h, of_mesh), c_null_funptr, c_null_ptr)
 end subroutine
 
-! Stops the running MGUCHK, or the next one.
+! Stops the running MGUIMP, MGUBLD or MGUCHK, or the next one.
 subroutine mgucan(h, ierr)
     use mgdt_f77_support
     implicit none
@@ -122,7 +233,7 @@ subroutine mguchk(h, ierr)
     ierr = c_mesh_check(handle_of(h, of_mesh))
 end subroutine
 
-! One of the numbers MGUNPT to MGULCA.
+! One of the numbers MGUNPT to MGUNRM.
 subroutine mgunum(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -151,7 +262,7 @@ subroutine mguinf(key, ncol, ireal, ierr)
     ireal = is_double
 end subroutine
 
-! Number of elements N of array KEY, MGUORI to MGUSPA.
+! Number of elements N of array KEY, MGUORI to MGUSHA.
 subroutine mgusiz(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -165,7 +276,7 @@ subroutine mgusiz(h, key, n, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_mesh), n, ierr)
 end subroutine
 
-! Array KEY of integers, MGUORI to MGUSED: IARR(MAXN).
+! Array KEY of integers, MGUORI to MGUBEL: IARR(MAXN).
 subroutine mguarr(h, key, maxn, iarr, ierr)
     use mgdt_f77_support
     implicit none
@@ -179,7 +290,7 @@ subroutine mguarr(h, key, maxn, iarr, ierr)
     ierr = c_mesh_get_array(handle_of(h, of_mesh), to_c(key), int(maxn, c_int64_t), iarr)
 end subroutine
 
-! Array KEY of reals, MGUPTS or MGUSPA: X(MAXN).
+! Array KEY of reals, MGUPTS, MGUSPA or MGUSHA: X(MAXN).
 subroutine mgudbl(h, key, maxn, x, ierr)
     use mgdt_f77_support
     implicit none
@@ -193,7 +304,7 @@ subroutine mgudbl(h, key, maxn, x, ierr)
     ierr = c_mesh_get_doubles(handle_of(h, of_mesh), to_c(key), int(maxn, c_int64_t), x)
 end subroutine
 
-! A measure of each tetrahedron, X(MAXN): MGTVOL to MGTEDG.
+! A measure of each tetrahedron, X(MAXN): MGTVOL to MGTERT.
 subroutine mgumsr(h, meas, maxn, x, ierr)
     use mgdt_f77_support
     implicit none

@@ -428,7 +428,7 @@ end
 local measures, tetrahedron_measures = constants.measure, constants.tetrahedron
 
 --- A measure of each tetrahedron, "volume", "radius_ratio", "least_dihedral_angle" or "largest_dihedral_angle" (dihedral,
---- in radians) or "longest_edge"; and the number of tetrahedra. Since 1.3.
+--- in radians) or "longest_edge", and since 1.4 "volume_length" or "edge_ratio"; and the number of tetrahedra. Since 1.3.
 function Triangulation:tetrahedron_measures(measure)
     local handle = handle_of(self)
     local key = choice(measure, tetrahedron_measures, "the measure")
@@ -712,9 +712,10 @@ end
 -- ------------------------------------------------------------------------------------- module
 
 local domain = require "mgdt.domain"
+local mesh = require "mgdt.mesh"
 local periodic = require "mgdt.periodic"
 local mgdt = { status = status, order_schemes = {}, Triangulation = Triangulation,
-    domain_mesh = domain.domain_mesh, offending_pairs = domain.offending_pairs,
+    domain_mesh = domain.domain_mesh, mesh = mesh.mesh, offending_pairs = domain.offending_pairs,
     periodic_box = periodic.periodic_box }
 do
     local scheme = ffi.new("int32_t[1]")

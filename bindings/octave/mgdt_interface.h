@@ -109,12 +109,25 @@
     F(voronoi_get_doubles);            \
     F(voronoi_drop_small_faces);       \
     F(voronoi_get_error);              \
+    F(mesh_create);                    \
+    F(mesh_create_with_allocator);     \
     F(mesh_destroy);                   \
     F(mesh_set_option);                \
     F(mesh_get_option);                \
     F(mesh_set_progress);              \
     F(mesh_get_progress);              \
     F(mesh_cancel);                    \
+    F(mesh_set_points);                \
+    F(mesh_set_tetrahedra);            \
+    F(mesh_set_tetrahedra_i32);        \
+    F(mesh_set_faces);                 \
+    F(mesh_set_faces_i32);             \
+    F(mesh_set_edges);                 \
+    F(mesh_set_edges_i32);             \
+    F(mesh_set_fixed_points);          \
+    F(mesh_set_fixed_points_i32);      \
+    F(mesh_build);                     \
+    F(mesh_improve);                   \
     F(mesh_get_stat);                  \
     F(mesh_array_info);                \
     F(mesh_get_size);                  \

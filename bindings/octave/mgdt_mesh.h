@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Domains and their meshes: what mgdt_domain_mesh.m and mgdt_offending_pairs.m call. */
+ * Domains and meshes: what mgdt_domain_mesh.m, mgdt_improve.m and mgdt_offending_pairs.m call. */
 #ifndef MGDT_OCTAVE_MESH_H
 #define MGDT_OCTAVE_MESH_H
 
@@ -122,9 +122,8 @@ static mxArray* offending_pairs(int count, const mxArray* const* given) {
     return result;
 }
 
-/* The mesh as a struct of its arrays. After the arguments of make_domain(): a progress function or
- * [], and whether to check. */
-static mxArray* domain_mesh(int count, const mxArray* const* given) {
+/* The mesh as a struct of its arrays, with those of the domain if there is one. */
+static mxArray* struct_of_mesh(int has_domain) {
     static const struct {
         const char* name;
         int32_t key;
@@ -142,17 +141,43 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
                   {"edge_segments", MGDT_MESH_ARRAY_EDGE_SEGMENTS},
                   {"edge_markers", MGDT_MESH_ARRAY_EDGE_MARKERS},
                   {"steiner_edges", MGDT_MESH_ARRAY_STEINER_EDGES},
-                  {"steiner_parameters", MGDT_MESH_ARRAY_STEINER_PARAMETERS}};
+                  {"steiner_parameters", MGDT_MESH_ARRAY_STEINER_PARAMETERS},
+                  {"reasons", MGDT_MESH_ARRAY_REASONS},
+                  {"angle_histogram", MGDT_MESH_ARRAY_ANGLE_HISTOGRAM},
+                  {"tetrahedra_below", MGDT_MESH_ARRAY_TETRAHEDRA_BELOW},
+                  {"shapes", MGDT_MESH_ARRAY_SHAPES}};
     enum { n_arrays = sizeof arrays / sizeof *arrays };
     const char* names[n_arrays + 3];
+    int64_t is_rounded = 0, n = 0;
+    double* volumes;
+    mxArray* result;
+    int k;
+    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_IS_ROUNDED, &is_rounded));
+    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_TETRAHEDRA, &n));
+    for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
+    names[n_arrays] = "volumes";
+    names[n_arrays + 1] = "is_rounded";
+    names[n_arrays + 2] = "open_edges";
+    result = mxCreateStructMatrix(1, 1, n_arrays + 2 + (has_domain ? 1 : 0), names);
+    for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_mesh(arrays[k].key));
+    volumes = room(n, sizeof *volumes);
+    ensure_mesh(mgdt.mesh_get_tetrahedron_measures(mesh, MGDT_TETRAHEDRON_VOLUME, n, volumes));
+    mxSetFieldByNumber(result, 0, n_arrays, rows_of_doubles(volumes, n, 1));
+    mxFree(volumes);
+    mxSetFieldByNumber(result, 0, n_arrays + 1, mxCreateLogicalScalar(is_rounded != 0));
+    if (has_domain)
+        mxSetFieldByNumber(result, 0, n_arrays + 2, array_of_domain(MGDT_DOMAIN_ARRAY_OPEN_EDGES));
+    return result;
+}
+
+/* The mesh as a struct of its arrays. After the arguments of make_domain(): a progress function or
+ * [], and whether to check. */
+static mxArray* domain_mesh(int count, const mxArray* const* given) {
     progress p = {NULL, NULL};
     const mxArray* function;
     int is_checked;
     mxArray* result;
     mgdt_status status;
-    int64_t is_rounded = 0, n = 0;
-    double* volumes;
-    int k;
     if (count < domain_arguments + 2) bad_argument("a mesh needs more arguments");
     function = given[domain_arguments];
     is_checked = number(given[domain_arguments + 1], "check") != 0;
@@ -174,20 +199,76 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
         ensure_mesh(mgdt.mesh_check(mesh));
         ensure_domain(mgdt.domain_check(domain, mesh));
     }
-    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_IS_ROUNDED, &is_rounded));
-    ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_TETRAHEDRA, &n));
-    for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
-    names[n_arrays] = "open_edges";
-    names[n_arrays + 1] = "volumes";
-    names[n_arrays + 2] = "is_rounded";
-    result = mxCreateStructMatrix(1, 1, n_arrays + 3, names);
-    for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_mesh(arrays[k].key));
-    mxSetFieldByNumber(result, 0, n_arrays, array_of_domain(MGDT_DOMAIN_ARRAY_OPEN_EDGES));
-    volumes = room(n, sizeof *volumes);
-    ensure_mesh(mgdt.mesh_get_tetrahedron_measures(mesh, MGDT_TETRAHEDRON_VOLUME, n, volumes));
-    mxSetFieldByNumber(result, 0, n_arrays + 1, rows_of_doubles(volumes, n, 1));
-    mxFree(volumes);
-    mxSetFieldByNumber(result, 0, n_arrays + 2, mxCreateLogicalScalar(is_rounded != 0));
+    result = struct_of_mesh(1);
+    close_domain();
+    return result;
+}
+
+/* The improvement of a mesh: points, tetrahedra, markers, faces, markers of faces, edges, markers
+ * of edges, fixed points, goal, boundary, what happens to points, mean passes, most passes,
+ * threads, the memory limit, a progress function or [], and whether to check. All are read before a
+ * mesh is made. */
+enum { mesh_arguments = 17 };
+
+static mxArray* improved_mesh(int count, const mxArray* const* given) {
+    int64_t n, n_corners, n_face_corners, n_ends, n_fixed, limit;
+    const double* xyz;
+    const int64_t *corners, *face_corners, *ends, *fixed;
+    const int32_t *of_tetrahedra, *of_faces, *of_edges;
+    static const int32_t keys[] = {MGDT_MESH_OPTION_GOAL,        MGDT_MESH_OPTION_BOUNDARY,
+                                   MGDT_MESH_OPTION_POINTS,      MGDT_MESH_OPTION_MEAN_PASSES,
+                                   MGDT_MESH_OPTION_MOST_PASSES, MGDT_MESH_OPTION_THREADS};
+    enum { n_keys = sizeof keys / sizeof *keys, first_key = 8 };
+    static const char* const names[n_keys] = {"goal",        "boundary",    "keep",
+                                              "mean_passes", "most_passes", "threads"};
+    int32_t values[n_keys];
+    progress p = {NULL, NULL};
+    const mxArray* function;
+    int is_checked, k;
+    mxArray* result;
+    mgdt_status status;
+    if (count < mesh_arguments) bad_argument("a mesh needs more arguments");
+    if (domain_is_busy)
+        mexErrMsgIdAndTxt("mgdt:busy", "a progress function of a mesh may not use another mesh");
+    xyz = places(given[0], "points", &n);
+    corners = whole_numbers(given[1], "corners of tetrahedra", &n_corners);
+    of_tetrahedra = markers(given[2], "markers", n_corners / 4);
+    face_corners = whole_numbers(given[3], "corners of faces", &n_face_corners);
+    of_faces = markers(given[4], "face_markers", n_face_corners / 3);
+    ends = whole_numbers(given[5], "ends of edges", &n_ends);
+    of_edges = markers(given[6], "edge_markers", n_ends / 2);
+    fixed = whole_numbers(given[7], "fixed", &n_fixed);
+    for (k = 0; k < n_keys; ++k) values[k] = small(given[first_key + k], names[k]);
+    limit = integer(given[14], "memory_limit", 9e15);
+    function = given[15];
+    is_checked = number(given[16], "check") != 0;
+
+    close_domain();
+    if (mgdt.mesh_create(&mesh) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
+    ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_INDEX_BASE, 1));
+    ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_MEMORY_LIMIT, limit));
+    for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
+    ensure_mesh(mgdt.mesh_set_points(mesh, n, xyz));
+    ensure_mesh(mgdt.mesh_set_tetrahedra(mesh, n_corners / 4, corners, of_tetrahedra));
+    ensure_mesh(mgdt.mesh_set_faces(mesh, n_face_corners / 3, face_corners, of_faces));
+    ensure_mesh(mgdt.mesh_set_edges(mesh, n_ends / 2, ends, of_edges));
+    ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
+    ensure_mesh(mgdt.mesh_build(mesh));
+    if (!mxIsEmpty(function)) {
+        p.function = mxDuplicateArray(function);
+        mgdt.mesh_set_progress(mesh, report, &p);
+    }
+    domain_is_busy = 1;
+    status = mgdt.mesh_improve(mesh);
+    domain_is_busy = 0;
+    mgdt.mesh_set_progress(mesh, NULL, NULL);
+    if (p.problem) {
+        close_domain();
+        mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
+    }
+    ensure_mesh(status);
+    if (is_checked) ensure_mesh(mgdt.mesh_check(mesh));
+    result = struct_of_mesh(0);
     close_domain();
     return result;
 }

@@ -215,9 +215,10 @@ classdef mgdt_triangulation < handle
     end
 
     % A measure of each tetrahedron, m x 1: "volume", "radius_ratio", "least_dihedral_angle" or "largest_dihedral_angle"
-    % (dihedral, in radians), or "longest_edge". Since 1.3.
+    % (dihedral, in radians), or "longest_edge"; since 1.4 "volume_length" or "edge_ratio". Since 1.3.
     function x = tetrahedron_measures (t, measure)
-      names = {"volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle", "longest_edge"};
+      names = {"volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle", "longest_edge", ...
+               "volume_length", "edge_ratio"};
       keys = [10 20 30 31 40];
       if (! ischar (measure) || ! any (strcmp (measure, names)))
         error ("mgdt:unknown_key", "mgdt: the measure must be one of %s", strjoin (names, ", "));

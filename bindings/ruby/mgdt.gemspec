@@ -3,7 +3,7 @@
 
 Gem::Specification.new do |gem|
   gem.name = "mgdt"
-  gem.version = "1.3.0"
+  gem.version = "1.4.0"
   gem.summary = "Exact 3D Delaunay triangulation of any set of points"
   gem.description = "A binding of the shared library libmgdt, which must be installed."
   gem.authors = ["The mgdt authors"]

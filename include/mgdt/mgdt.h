@@ -70,7 +70,7 @@
 #include <stdint.h>
 
 #define MGDT_VERSION_MAJOR 1
-#define MGDT_VERSION_MINOR 3
+#define MGDT_VERSION_MINOR 4
 #define MGDT_VERSION_PATCH 0
 
 /** Whether this header has at least the given version: `#if MGDT_VERSION_AT_LEAST(1, 2)`. Headers
@@ -243,6 +243,12 @@ enum {
     /** 3 times the radius of the inscribed sphere over that of the circumsphere: 1 for a regular
      *  tetrahedron, near 0 for a flat one. */
     MGDT_TETRAHEDRON_RADIUS_RATIO = 20,
+    /** 6 sqrt(2) times the volume over the third power of the root mean square of the six edges: 1
+     *  for a regular tetrahedron, near 0 for a flat one (Parthasarathy, Graichen and Hathaway,
+     *  Finite Elements in Analysis and Design 15, 1994). Since 1.4. */
+    MGDT_TETRAHEDRON_VOLUME_LENGTH = 21,
+    /** Length of the longest edge over that of the shortest one, at least 1. Since 1.4. */
+    MGDT_TETRAHEDRON_EDGE_RATIO = 22,
     MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE = 30,   /**< Least of the six dihedral angles. */
     MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE = 31, /**< Largest of the six dihedral angles. */
     MGDT_TETRAHEDRON_LONGEST_EDGE = 40            /**< Length of the longest edge. */

@@ -242,9 +242,11 @@ MGDT_API mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out);
  *  the places in them and contain no holes. It does not find anew which of the parts that facets
  *  enclose have to be filled. mgdt_mesh_check() checks all else of the mesh, and both together
  *  prove it (docs/theory.md, "Meshes of domains").
- *  @param mesh  a mesh that mgdt_mesh_check() accepts
+ *  @param mesh  a mesh that mgdt_mesh_check() accepts, and that mgdt_mesh_improve() has not changed
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CHECK_FAILED (the message says what is wrong
- *  and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY (the domain or the mesh)
+ *  and where), MGDT_ERR_INVALID_ARGUMENT (since 1.4: the mesh has been improved, or was made by
+ *  mgdt_mesh_build()), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY (the domain or the
+ *  mesh)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* mesh);
 

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * A mesh of tetrahedra, as mgdt_domain_build() makes it of a domain (mgdt_domain.h).
+ * A mesh of tetrahedra. mgdt_domain_build() makes one of a domain (mgdt_domain.h), and
+ * mgdt_mesh_build() of tetrahedra that the caller has. mgdt_mesh_improve() makes the shapes of
+ * tetrahedra better; the other functions read the mesh.
  *
- * A mesh is a snapshot: it does not change with the domain that it was made from, and outlives it.
- * It takes its memory from the functions of that domain, has the same memory limit for itself, and
- * begins with the same index base and number of threads.
+ * A mesh of a domain is a snapshot: it does not change with the domain that it was made from, and
+ * outlives it. It takes its memory from the functions of that domain, has the same memory limit for
+ * itself, and begins with the same index base and number of threads.
  *
  * Every facet of the domain is a union of faces of the mesh, and every segment a union of edges,
- * exactly. The mesh is the constrained Delaunay triangulation of its points: no point that is
- * visible from inside of a tetrahedron is in its circumsphere. All tetrahedra have a positive
- * volume with the coordinates that are returned, exactly.
+ * exactly. Until it is improved, the mesh is the constrained Delaunay triangulation of its points:
+ * no point that is visible from inside of a tetrahedron is in its circumsphere. All tetrahedra have
+ * a positive volume with the coordinates that are returned, exactly.
  *
  * The points are those of the caller, with the indices that they had, and Steiner points. The
  * library computes with coordinates that are rounded once, to multiples of 2^-36 of the largest
@@ -19,7 +21,8 @@
  * segments exactly.
  *
  * The mesh is a function of the points, facets and segments: the order of the facets and the number
- * of threads do not change it.
+ * of threads do not change it. An improved mesh is a function of the mesh before and the options,
+ * to the last bit.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
  * ranges of keys, the thread rule.
@@ -35,17 +38,55 @@
 extern "C" {
 #endif
 
-/** A handle of a mesh. The struct is opaque; mgdt_domain_build() makes one. */
+/** A handle of a mesh. The struct is opaque; mgdt_domain_build() and mgdt_mesh_create() make one.
+ */
 typedef struct mgdt_mesh mgdt_mesh;
 
 /** Options of mgdt_mesh_set_option(). Values are integers. */
 enum {
-    /** 0 or 1, at first that of the domain. It applies to indices that are read later. */
+    /** 0 or 1, at first that of the domain, or 0. It applies to indices that are passed later. */
     MGDT_MESH_OPTION_INDEX_BASE = 10,
-    /** Threads, see mgdt_set_threads(), at first those of the domain; 0 for all cores. */
+    /** Threads, see mgdt_set_threads(), at first those of the domain, or 1; 0 for all cores. */
     MGDT_MESH_OPTION_THREADS = 20,
     /** Bytes that the handle may hold, at first the limit of the domain; 0 for no limit. */
-    MGDT_MESH_OPTION_MEMORY_LIMIT = 30
+    MGDT_MESH_OPTION_MEMORY_LIMIT = 30,
+    /** The goal g of mgdt_mesh_improve() in degrees, from 0 to 70, at first 25: no dihedral angle
+     *  should be below g, and no sine of an obtuse one below sin(g) / 0.7, so that the largest
+     *  angle is 142.9 degrees for g = 25. Most meshes reach 25 soon and 30 later; few reach 35.
+     *  Since 1.4. */
+    MGDT_MESH_OPTION_GOAL = 40,
+    /** What mgdt_mesh_improve() may do to faces and edges that the mesh lists: an MGDT_BOUNDARY_
+     *  value, at first MGDT_BOUNDARY_FIXED. Since 1.4. */
+    MGDT_MESH_OPTION_BOUNDARY = 41,
+    /** What mgdt_mesh_improve() may do to the points that were set: an MGDT_POINTS_ value, at first
+     *  MGDT_POINTS_KEEP for a mesh of a domain, and MGDT_POINTS_MOVE for one of the caller's
+     *  tetrahedra. Since 1.4. */
+    MGDT_MESH_OPTION_POINTS = 42,
+    /** How often mgdt_mesh_improve() moves all points to improve the mean of the shapes, from 0 to
+     *  1000, at first 3. Since 1.4. */
+    MGDT_MESH_OPTION_MEAN_PASSES = 43,
+    /** The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000,
+     *  at first 100. Few of them suffice for most meshes. Since 1.4. */
+    MGDT_MESH_OPTION_MOST_PASSES = 44
+};
+
+/** Values of MGDT_MESH_OPTION_BOUNDARY.
+ *  @since 1.4 */
+enum {
+    /** Faces and edges that the mesh lists stay as they are. */
+    MGDT_BOUNDARY_FIXED = 0,
+    /** The surface stays, but its points move: within the facet that they are inside of, or along a
+     *  straight line of edges, but for rounding; and other faces may divide the facet. */
+    MGDT_BOUNDARY_SLIDE = 1
+};
+
+/** Values of MGDT_MESH_OPTION_POINTS. Points of mgdt_mesh_set_fixed_points() stay where they are in
+ *  any case.
+ *  @since 1.4 */
+enum {
+    MGDT_POINTS_KEEP = 0,  /**< They stay where they are. */
+    MGDT_POINTS_MOVE = 1,  /**< They may move. */
+    MGDT_POINTS_REMOVE = 2 /**< They may move, and may become points of no tetrahedron. */
 };
 
 /** Keys of mgdt_mesh_get_stat(). */
@@ -58,6 +99,9 @@ enum {
     MGDT_MESH_STAT_EDGES = 105,        /**< Edges that are parts of segments or of facets' edges. */
     MGDT_MESH_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
     MGDT_MESH_STAT_IS_ROUNDED = 120,   /**< 1 if the points that are returned are rounded. */
+    /** 1 if the mesh is the constrained Delaunay triangulation of its points, as
+     *  mgdt_domain_build() has made it. Since 1.4. */
+    MGDT_MESH_STAT_IS_DELAUNAY = 122,
     /** Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
      *  surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
      */
@@ -75,52 +119,104 @@ enum {
     MGDT_MESH_STAT_PLANAR_FACETS = 140,
     /** Joined facets that the Delaunay triangulation of all points lacks. */
     MGDT_MESH_STAT_MISSING_FACETS = 141,
-    MGDT_MESH_STAT_CAVITIES = 142,      /**< Parts of that triangulation that were filled anew. */
-    MGDT_MESH_STAT_LARGEST_CAVITY = 143 /**< The most tetrahedra in one of them. */
+    MGDT_MESH_STAT_CAVITIES = 142,       /**< Parts of that triangulation that were filled anew. */
+    MGDT_MESH_STAT_LARGEST_CAVITY = 143, /**< The most tetrahedra in one of them. */
+    /** Tetrahedra that the last mgdt_mesh_improve() has left below the goal. This number and the
+     *  next three are 0 before. Since 1.4. */
+    MGDT_MESH_STAT_BELOW_GOAL = 150,
+    MGDT_MESH_STAT_PASSES = 151,       /**< Passes over tetrahedra below the goal. Since 1.4. */
+    MGDT_MESH_STAT_MOVED_POINTS = 152, /**< Points that were set and have moved. Since 1.4. */
+    /** Points that were set and have lost all of their tetrahedra. Since 1.4. */
+    MGDT_MESH_STAT_REMOVED_POINTS = 153
+};
+
+/** Elements of MGDT_MESH_ARRAY_REASONS: why a tetrahedron is below the goal. Where several apply,
+ *  it is the first one.
+ *  @since 1.4 */
+enum {
+    MGDT_REASON_NONE = 0, /**< It reaches the goal. */
+    /** Two of its faces are parts of facets with a smaller angle between them. */
+    MGDT_REASON_INPUT_ANGLE = 1,
+    /** It is at a corner of a face of a facet that has a smaller angle itself. */
+    MGDT_REASON_THIN_FACE = 2,
+    MGDT_REASON_FIXED_CORNERS = 3, /**< None of its corners may move. */
+    MGDT_REASON_OTHER = 4
 };
 
 /** Arrays of a mesh, of integers for mgdt_mesh_get_array() and of doubles for
  *  mgdt_mesh_get_doubles(). Points, facets, segments, tetrahedra and regions are numbered from the
  *  index base. Where there is none, the number is the index base - 1. */
 enum {
-    /** For each point the point of the domain that it is, of equal ones the first; none for a
-     *  Steiner point. */
+    /** For each point the point that was set and that it is, of equal ones of a domain the first;
+     *  none for a Steiner point. */
     MGDT_MESH_ARRAY_POINT_ORIGINS = 200,
     /** Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
-     *  tetrahedra are sorted by their corners. */
+     *  tetrahedra of mgdt_domain_build() and mgdt_mesh_improve() are sorted by their corners; those
+     *  of mgdt_mesh_build() have the caller's order. */
     MGDT_MESH_ARRAY_TETRAHEDRA = 210,
     /** For each tetrahedron the numbers of the four tetrahedra opposite its corners. None means
      *  that the domain ends there. */
     MGDT_MESH_ARRAY_NEIGHBORS = 211,
     MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS = 212, /**< The region of each tetrahedron. */
     /** The marker of each region: that of the last place of mgdt_domain_set_regions() inside of
-     *  it, or 0. */
+     *  it, or 0; or that of the caller's tetrahedra, of which those with one marker are a region.
+     */
     MGDT_MESH_ARRAY_REGION_MARKERS = 220,
     /** Three corners for each face of the mesh that is a part of a facet. They turn in the same
-     *  direction as those of the facet. */
+     *  direction as those of the facet. mgdt_mesh_build() lists the caller's faces first. */
     MGDT_MESH_ARRAY_FACES = 230,
     /** The two tetrahedra at each face: first the one from which the corners appear
      *  counter-clockwise, then the other one. */
     MGDT_MESH_ARRAY_FACE_TETRAHEDRA = 231,
-    /** The facet that each face is a part of; of facets that are joined, the first one. */
+    /** The facet that each face is a part of; of facets that are joined, the first one. Of a mesh
+     *  of the caller's tetrahedra facets are what its faces form in one plane; they are numbered in
+     *  the order of their first faces. */
     MGDT_MESH_ARRAY_FACE_FACETS = 232,
     MGDT_MESH_ARRAY_FACE_MARKERS = 233, /**< The marker of this facet. */
     /** Two ends for each edge of the mesh that is a part of a segment, or of an edge of facets that
-     *  does not lie inside of a joined facet. */
+     *  does not lie inside of a joined facet. mgdt_mesh_build() lists the caller's edges first. */
     MGDT_MESH_ARRAY_EDGES = 240,
-    /** The segment that the caller has set and that each of these edges is a part of, or none. */
+    /** The segment, or the edge of mgdt_mesh_set_edges(), that each of these edges is a part of, or
+     *  none. */
     MGDT_MESH_ARRAY_EDGE_SEGMENTS = 241,
     MGDT_MESH_ARRAY_EDGE_MARKERS = 242, /**< The marker of this segment, or 0. */
     /** For each Steiner point the two points a and b that it is between. Later versions may add
      *  Steiner points that are between no two points: then a and b are none. */
     MGDT_MESH_ARRAY_STEINER_EDGES = 250,
+    /** For each tetrahedron an MGDT_REASON_ value: why mgdt_mesh_improve() has left it below the
+     *  goal. Empty before. Since 1.4. */
+    MGDT_MESH_ARRAY_REASONS = 260,
+    /** 18 rows of two numbers, before and after mgdt_mesh_improve(): how many dihedral angles are
+     *  at least 10 i and below 10 (i + 1) degrees, for i from 0 to 17; each tetrahedron has six.
+     *  Empty before. Since 1.4. */
+    MGDT_MESH_ARRAY_ANGLE_HISTOGRAM = 261,
+    /** Six rows of two numbers, before and after mgdt_mesh_improve(): how many tetrahedra have a
+     *  dihedral angle below 5, 10, 15, 20, 25 and 30 degrees. Empty before. Since 1.4. */
+    MGDT_MESH_ARRAY_TETRAHEDRA_BELOW = 262,
     /** Three coordinates of each point: first the points that were set, then the Steiner points. */
     MGDT_MESH_ARRAY_POINTS = 300,
     /** For each Steiner point the number t for which it is a + t (b - a). */
-    MGDT_MESH_ARRAY_STEINER_PARAMETERS = 310
+    MGDT_MESH_ARRAY_STEINER_PARAMETERS = 310,
+    /** Three rows of two numbers, before and after mgdt_mesh_improve(): the least and the largest
+     *  dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
+     *  Since 1.4. */
+    MGDT_MESH_ARRAY_SHAPES = 320
 };
 
 /* ------------------------------------------------------------------------------- life --- */
+
+/** Makes a mesh without tetrahedra, for mgdt_mesh_set_points() and so on.
+ *  @param[out] out  the handle; NULL if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_create(mgdt_mesh** out);
+
+/** Makes a mesh without tetrahedra, which takes all its memory from `alloc`.
+ *  @param alloc, release, user  as for mgdt_create_with_allocator()
+ *  @return as mgdt_mesh_create(), and MGDT_ERR_INVALID_ARGUMENT (one function without the other)
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
+                                                     void* user, mgdt_mesh** out);
 
 /** Frees the mesh. NULL is allowed. While another call is running on the handle, this function does
  *  nothing, as mgdt_destroy().
@@ -139,8 +235,9 @@ MGDT_API mgdt_status mgdt_mesh_set_option(mgdt_mesh* m, int32_t option, int64_t 
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_option(const mgdt_mesh* m, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_mesh_check() and
- *  mgdt_mesh_get_tetrahedron_measures() and may cancel them, as that of mgdt_set_progress() does.
+/** Sets the callback that receives the progress of mgdt_mesh_build(), mgdt_mesh_improve(),
+ *  mgdt_mesh_check() and mgdt_mesh_get_tetrahedron_measures() and may cancel them, as that of
+ *  mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -152,12 +249,119 @@ MGDT_API mgdt_status mgdt_mesh_set_progress(mgdt_mesh* m, mgdt_progress_fn fn, v
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_progress(const mgdt_mesh* m, mgdt_progress_fn* fn, void** user);
 
-/** Asks the running mgdt_mesh_check() or mgdt_mesh_get_tetrahedron_measures() to stop soon. That
- *  call then returns MGDT_ERR_CANCELLED. If none is running, the request stays pending and stops
- *  the next one. Any thread and any signal handler may call this function.
+/** Asks the running call of those that mgdt_mesh_set_progress() names to stop soon. That call then
+ *  returns MGDT_ERR_CANCELLED. If none is running, the request stays pending and stops the next
+ *  one. Any thread and any signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_cancel(mgdt_mesh* m);
+
+/* ------------------------------------------------------------------------------ input --- */
+
+/** Sets the points of a mesh that mgdt_mesh_build() is to make; they are copied. Tetrahedra, faces,
+ *  edges and fixed points that were set before are removed. The mesh that there is stays until
+ *  mgdt_mesh_build(). A call that fails changes nothing.
+ *  @param n    number of points, at least 0
+ *  @param xyz  3 n coordinates; may be NULL if n is 0
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n), MGDT_ERR_NOT_FINITE (the
+ *  message names the point), MGDT_ERR_TOO_LARGE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_points(mgdt_mesh* m, int64_t n, const double* xyz);
+
+/** Sets the tetrahedra, which are copied, in place of those that were set before. A call that fails
+ *  changes nothing.
+ *  @param n        number of tetrahedra, at least 0
+ *  @param corners  4 n points. The corners of a tetrahedron may have any order
+ *  @param markers  n markers, or NULL: then all are 0. Tetrahedra with one marker form a region
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n, or a corner that is no
+ *  point; the message names it), MGDT_ERR_TOO_LARGE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_tetrahedra(mgdt_mesh* m, int64_t n, const int64_t* corners,
+                                              const int32_t* markers);
+/** mgdt_mesh_set_tetrahedra() with 32-bit integers.
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_tetrahedra_i32(mgdt_mesh* m, int64_t n, const int32_t* corners,
+                                                  const int32_t* markers);
+
+/** Sets the faces that the mesh is to keep, which are copied, in place of those that were set
+ *  before: triangles of its surface that have markers, and triangles inside of it. The other faces
+ *  of the surface, and those between regions, are kept without being set. A call that fails changes
+ *  nothing.
+ *  @param n        number of faces, at least 0
+ *  @param corners  3 n points
+ *  @param markers  n markers, or NULL: then all are 0
+ *  @return as mgdt_mesh_set_tetrahedra()
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_faces(mgdt_mesh* m, int64_t n, const int64_t* corners,
+                                         const int32_t* markers);
+/** mgdt_mesh_set_faces() with 32-bit integers.
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_faces_i32(mgdt_mesh* m, int64_t n, const int32_t* corners,
+                                             const int32_t* markers);
+
+/** Sets the edges that the mesh is to keep, which are copied, in place of those that were set
+ *  before. The edges at which planar facets end are kept without being set. A call that fails
+ *  changes nothing.
+ *  @param n        number of edges, at least 0
+ *  @param ends     2 n points
+ *  @param markers  n markers, or NULL: then all are 0
+ *  @return as mgdt_mesh_set_tetrahedra()
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_edges(mgdt_mesh* m, int64_t n, const int64_t* ends,
+                                         const int32_t* markers);
+/** mgdt_mesh_set_edges() with 32-bit integers.
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_edges_i32(mgdt_mesh* m, int64_t n, const int32_t* ends,
+                                             const int32_t* markers);
+
+/** Sets which of the points that were set mgdt_mesh_improve() leaves where they are, in place of
+ *  those that it was told before. A mesh of a domain takes them too. A call that fails changes
+ *  nothing.
+ *  @param n       number of points that are fixed, at least 0
+ *  @param points  n points, in any order
+ *  @return as mgdt_mesh_set_tetrahedra()
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_fixed_points(mgdt_mesh* m, int64_t n, const int64_t* points);
+/** mgdt_mesh_set_fixed_points() with 32-bit integers.
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_fixed_points_i32(mgdt_mesh* m, int64_t n, const int32_t* points);
+
+/* ------------------------------------------------------------------------------ build --- */
+
+/** Makes the mesh of what was set, in place of the one that there is, and gives the memory of what
+ *  was set back. Tetrahedra keep their numbers; the last two corners of one that is negatively
+ *  oriented are exchanged. Points keep their numbers too, whether a tetrahedron uses them or not.
+ *  Faces that continue each other in one plane, but for 2^-20, with one marker and the same regions
+ *  on their sides form a facet.
+ *
+ *  Nothing is repaired: what is no mesh is refused. That tetrahedra overlap without having a common
+ *  face is not noticed; mgdt_mesh_check() notices it. A call that fails changes neither the mesh
+ *  nor what was set.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (no tetrahedra were set; a
+ *  tetrahedron is flat, exactly, or has a corner twice; two have the same corners; tetrahedra at a
+ *  face are more than two, or on one side of it; a face or an edge is none of a tetrahedron, or was
+ *  set twice; the message has the numbers), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_build(mgdt_mesh* m);
+
+/** Improves the shapes of the tetrahedra until all reach the goal, or nothing helps any more:
+ *  exchanges edges and faces, moves points, contracts edges and inserts points, as the options
+ *  allow. The worst tetrahedron never becomes worse. Regions, facets, segments and markers stay.
+ *  All tetrahedra have a positive volume, exactly. Points that were set keep their numbers; new
+ *  ones are Steiner points, which come after them. docs/improvement.md has examples;
+ *  docs/theory.md, "Improving meshes", says how it works.
+ *
+ *  A mesh that reaches the goal stays as it is, to the last bit; with the goal 0, points are moved
+ *  for the mean of the shapes alone. A goal that cannot be reached is no failure:
+ *  MGDT_MESH_STAT_BELOW_GOAL counts what is left, and MGDT_MESH_ARRAY_REASONS says why. The result
+ *  does not depend on the number of threads.
+ *
+ *  A call that is cancelled leaves the valid mesh of the last complete round. If memory runs out,
+ *  the mesh stays as it was.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CANCELLED, MGDT_ERR_TOO_LARGE,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_improve(mgdt_mesh* m);
 
 /* ---------------------------------------------------------------------------- results --- */
 
@@ -215,9 +419,9 @@ MGDT_API mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int3
                                                         int64_t capacity, double* x);
 
 /** Checks the mesh by itself, with exact arithmetic: all tetrahedra are positive, neighbours share
- *  faces, tetrahedra do not overlap, regions end at faces, Steiner points are on their edges, and
- *  the mesh is constrained Delaunay (docs/theory.md, "Meshes of domains"). mgdt_domain_check()
- *  compares it with what was set.
+ *  faces, tetrahedra do not overlap, and regions end at faces; and if MGDT_MESH_STAT_IS_DELAUNAY is
+ *  1, that Steiner points are on their edges, and the mesh is constrained Delaunay (docs/theory.md,
+ *  "Meshes of domains"). mgdt_domain_check() compares it with what was set.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CHECK_FAILED (the message says what is wrong
  *  and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */

@@ -4,50 +4,15 @@
 
 #include "capi/domain_handle.hpp"
 #include "capi/entry_points.hpp"
+#include "capi/items.hpp"
 #include "capi/mesh_handle.hpp"
-#include "core/point_scan.hpp"
 
 using namespace mgdt;
 
 namespace {
 
-// Indices have 32 bits, and the greatest is no index.
-constexpr std::size_t most_items = 0x7FFFFFFF;
-
-std::size_t require_items(std::int64_t n, std::size_t each, const char* of) {
-    const std::size_t count = require_count(n, of);
-    if (count > most_items / each)
-        fail(MGDT_ERR_TOO_LARGE, "%zu %s are more than can be numbered", count, of);
-    return count;
-}
-
-void set_points(Domain& d, std::int64_t n, const double* xyz) {
-    const std::size_t count = require_items(n, 3, "points");
-    if (count > 0) require_pointer(xyz, "xyz");
-    for (std::size_t i = 0; i < 3 * count; ++i)
-        require_finite(xyz[i], i % 3, static_cast<long long>(i / 3) + d.settings().index_base);
-    Buffer<double> points(d.allocator());
-    points.resize(3 * count);
-    std::copy_n(xyz, 3 * count, points.begin());
-    d.set_points(std::move(points));
-}
-
-// The point with an index of the caller's, which is `what` number i.
-std::uint32_t point_at(const Domain& d, std::int64_t index, const char* what, std::size_t i) {
-    const std::int64_t base = d.settings().index_base;
-    const std::size_t points = d.input().point_count();
-    if (index < base || static_cast<std::uint64_t>(index - base) >= points)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "%s %lld has the corner %lld; there are %zu points", what,
-             static_cast<long long>(i) + d.settings().index_base, static_cast<long long>(index),
-             points);
-    return static_cast<std::uint32_t>(index - base);
-}
-
-Buffer<std::int32_t> copy_of_markers(Domain& d, std::size_t n, const std::int32_t* markers) {
-    Buffer<std::int32_t> copy(d.allocator());
-    copy.resize(n, 0);
-    if (markers) std::copy_n(markers, n, copy.begin());
-    return copy;
+CornerRange corners_of(const Domain& d) {
+    return {d.input().point_count(), d.settings().index_base};
 }
 
 template <class Int>
@@ -83,8 +48,8 @@ void set_facets(Domain& d, std::int64_t n, const Int* offsets, const Int* corner
     points.resize(begin[count]);
     for (std::size_t f = 0; f < count; ++f)
         for (std::size_t i = begin[f]; i < begin[f + 1]; ++i)
-            points[i] = point_at(d, corners[i], "facet", f);
-    Buffer<std::int32_t> copy = copy_of_markers(d, count, markers);
+            points[i] = corners_of(d).at(corners[i], "facet", f);
+    Buffer<std::int32_t> copy = copy_of_markers(d.allocator(), count, markers);
     d.set_facets(std::move(begin), std::move(points), std::move(copy));
 }
 
@@ -92,10 +57,9 @@ template <class Int>
 void set_segments(Domain& d, std::int64_t n, const Int* ends, const std::int32_t* markers) {
     const std::size_t count = require_items(n, 2, "segments");
     if (count > 0) require_pointer(ends, "ends");
-    Buffer<std::uint32_t> points(d.allocator());
-    points.resize(2 * count);
-    for (std::size_t i = 0; i < 2 * count; ++i) points[i] = point_at(d, ends[i], "segment", i / 2);
-    Buffer<std::int32_t> copy = copy_of_markers(d, count, markers);
+    Buffer<std::uint32_t> points =
+        copy_of_corners(d.allocator(), count, 2, ends, corners_of(d), "segment");
+    Buffer<std::int32_t> copy = copy_of_markers(d.allocator(), count, markers);
     d.set_segments(std::move(points), std::move(copy));
 }
 
@@ -117,7 +81,7 @@ Buffer<DomainInput::Place> places(Domain& d, std::int64_t n, const double* xyz,
     return all;
 }
 
-const Switches<DomainSettings> switches = {
+const OwnOptions<DomainSettings> domain_options = {
     {MGDT_DOMAIN_OPTION_ROUND_POINTS, &DomainSettings::rounds_points},
     {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict}};
 
@@ -168,7 +132,7 @@ struct DomainResults {
 }  // namespace
 
 MGDT_LIFE(domain)
-MGDT_OPTIONS(domain, switches)
+MGDT_OPTIONS(domain, domain_options)
 MGDT_PROGRESS(domain)
 MGDT_RESULTS(domain, DomainResults)
 MGDT_MESSAGE(domain)
@@ -178,7 +142,10 @@ extern "C" mgdt_status mgdt_domain_clear(mgdt_domain* d) {
 }
 
 extern "C" mgdt_status mgdt_domain_set_points(mgdt_domain* d, int64_t n, const double* xyz) {
-    return guard(d, [&] { set_points(d->object, n, xyz); });
+    return guard(d, [&] {
+        d->object.set_points(
+            copy_of_points(d->object.allocator(), n, xyz, d->object.settings().index_base));
+    });
 }
 
 extern "C" mgdt_status mgdt_domain_set_facets(mgdt_domain* d, int64_t n, const int64_t* offsets,
@@ -218,8 +185,10 @@ extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d, mgdt_mesh** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
     return guard(d, [&] {
-        *out = new_result<mgdt_mesh>(d->object,
-                                     [&](Result<SolidMesh>& made) { d->object.build(made.value); });
+        *out = new_result<mgdt_mesh>(d->object, [&](MeshObject& made) {
+            made.settings().points = MGDT_POINTS_KEEP;
+            d->object.build(made.value);
+        });
     });
 }
 
@@ -227,6 +196,11 @@ extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* 
     if (!mesh) return MGDT_ERR_NULL_POINTER;
     return guard_long(d, [&](StageProgress& progress) {
         const SecondHandle second(mesh);
+        if (!mesh->object.value.is_delaunay)
+            fail(
+                MGDT_ERR_INVALID_ARGUMENT,
+                "the mesh has been improved, or was not made of a domain; mgdt_mesh_check() checks "
+                "it");
         d->object.check(mesh->object.value, progress);
     });
 }

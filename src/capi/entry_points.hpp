@@ -3,14 +3,14 @@
 // for the handle mgdt_KIND, as its header documents them:
 //
 //   MGDT_LIFE(KIND)                create, create_with_allocator, destroy
-//   MGDT_OPTIONS(KIND, switches)   set_option, get_option
+//   MGDT_OPTIONS(KIND, own)        set_option, get_option
 //   MGDT_PROGRESS(KIND)            set_progress, get_progress, cancel
 //   MGDT_RESULTS(KIND, Results)    get_stat, array_info, get_size, get_array, get_array_i32
 //   MGDT_DOUBLES(KIND, Results)    get_doubles
 //   MGDT_MESSAGE(KIND)             get_error
 //
-// `switches` is the list of the options that this handle has beside those of all handles; {} if
-// there are none (options.hpp). `Results` is a class with these static members:
+// `own` is the list of the options that this handle has beside those of all handles; {} if there
+// are none (options.hpp). `Results` is a class with these static members:
 //
 //   statistics, arrays     the tables of the handle, as statistics.hpp and arrays.hpp define them
 //   of(object)             returns the part of the handle's object that has the arrays
@@ -32,14 +32,14 @@
     }                                                                                             \
     extern "C" void mgdt_##kind##_destroy(mgdt_##kind* h) { destroy_handle(h); }
 
-#define MGDT_OPTIONS(kind, switches)                                                              \
+#define MGDT_OPTIONS(kind, own)                                                                   \
     extern "C" mgdt_status mgdt_##kind##_set_option(mgdt_##kind* h, int32_t option,               \
                                                     int64_t value) {                              \
-        return set_option(h, option, value, switches);                                            \
+        return set_option(h, option, value, own);                                                 \
     }                                                                                             \
     extern "C" mgdt_status mgdt_##kind##_get_option(const mgdt_##kind* h, int32_t option,         \
                                                     int64_t* value) {                             \
-        return get_option(h, option, value, switches);                                            \
+        return get_option(h, option, value, own);                                                 \
     }
 
 #define MGDT_PROGRESS(kind)                                                                       \

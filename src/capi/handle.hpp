@@ -26,21 +26,22 @@ struct Handle : HandleBase {
     Object object;
 };
 
-// The object of a handle that has a result of another handle's call.
-template <class T>
+// The object of a handle that has a result, such as that of another handle's call. Settings are
+// CallSettings, or derived from them.
+template <class T, class Settings = CallSettings>
 class Result {
   public:
     Result(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
         : allocator_(alloc, release, user), value(allocator_) {}
 
     Allocator& allocator() const noexcept { return allocator_; }
-    CallSettings& settings() noexcept { return settings_; }
-    const CallSettings& settings() const noexcept { return settings_; }
+    Settings& settings() noexcept { return settings_; }
+    const Settings& settings() const noexcept { return settings_; }
     StopFlag& stop() const noexcept { return stop_; }
 
   private:
     mutable Allocator allocator_;
-    CallSettings settings_;
+    Settings settings_;
     mutable StopFlag stop_;
 
   public:

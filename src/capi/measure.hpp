@@ -29,12 +29,16 @@ inline TetrahedronMeasure tetrahedron_measure_of(std::int32_t measure) {
             return TetrahedronMeasure::volume;
         case MGDT_TETRAHEDRON_RADIUS_RATIO:
             return TetrahedronMeasure::radius_ratio;
+        case MGDT_TETRAHEDRON_VOLUME_LENGTH:
+            return TetrahedronMeasure::volume_length;
         case MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE:
             return TetrahedronMeasure::least_dihedral_angle;
         case MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE:
             return TetrahedronMeasure::largest_dihedral_angle;
         case MGDT_TETRAHEDRON_LONGEST_EDGE:
             return TetrahedronMeasure::longest_edge;
+        case MGDT_TETRAHEDRON_EDGE_RATIO:
+            return TetrahedronMeasure::edge_ratio;
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d of tetrahedra",
                  static_cast<int>(measure));

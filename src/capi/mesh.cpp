@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of a mesh.
+// The options and results of a mesh, its measures and its check.
 #include "capi/entry_points.hpp"
 #include "capi/measure.hpp"
 #include "capi/mesh_handle.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 namespace of_mesh {
 
-using Object = Result<SolidMesh>;
+using Object = MeshObject;
 
 constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_POINTS, [](const Object& m) { return m.value.points.size() / 3; }},
@@ -26,6 +26,8 @@ constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_MEMORY_BYTES, [](const Object& m) { return m.allocator().bytes(); }},
     {MGDT_MESH_STAT_IS_ROUNDED,
      [](const Object& m) { return std::size_t{m.value.is_rounded ? 1u : 0u}; }},
+    {MGDT_MESH_STAT_IS_DELAUNAY,
+     [](const Object& m) { return std::size_t{m.value.is_delaunay ? 1u : 0u}; }},
     {MGDT_MESH_STAT_GRID_BITS,
      [](const Object& m) { return static_cast<std::size_t>(m.value.grid.bits()); }},
     {MGDT_MESH_STAT_UNUSED_POINTS, [](const Object& m) { return m.value.unused_points.size(); }},
@@ -36,9 +38,44 @@ constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_MISSING_FACETS, [](const Object& m) { return m.value.missing_facets; }},
     {MGDT_MESH_STAT_CAVITIES, [](const Object& m) { return m.value.cavities; }},
     {MGDT_MESH_STAT_LARGEST_CAVITY, [](const Object& m) { return m.value.largest_cavity; }},
+    {MGDT_MESH_STAT_BELOW_GOAL, [](const Object& m) { return m.value.report.below_goal; }},
+    {MGDT_MESH_STAT_PASSES, [](const Object& m) { return m.value.report.passes; }},
+    {MGDT_MESH_STAT_MOVED_POINTS, [](const Object& m) { return m.value.report.moved_points; }},
+    {MGDT_MESH_STAT_REMOVED_POINTS, [](const Object& m) { return m.value.report.removed_points; }},
 };
 
-using M = SolidMesh;
+// Pairs of numbers, before and after the last improvement: of(summary, i) for i below n. None if
+// there was no improvement.
+template <class Of>
+auto before_and_after(const MeshState& m, std::size_t n, const Of& of) {
+    const ImprovementReport& report = m.report;
+    return computed_each(report.is_made ? 2 * n : 0, [&report, of](std::size_t i) {
+        return of(i % 2 == 0 ? report.before : report.after, i / 2);
+    });
+}
+
+auto reasons(const MeshState& m) {
+    return computed_each(m.report.reasons.size(), [&m](std::size_t t) {
+        return static_cast<std::int32_t>(m.report.reasons[t]);
+    });
+}
+auto angle_histogram(const MeshState& m) {
+    return before_and_after(m, ShapeSummary::angle_bins, [](const ShapeSummary& s, std::size_t i) {
+        return static_cast<std::int64_t>(s.angles[i]);
+    });
+}
+auto tetrahedra_below(const MeshState& m) {
+    return before_and_after(m, ShapeSummary::bounds, [](const ShapeSummary& s, std::size_t i) {
+        return static_cast<std::int64_t>(s.tetrahedra_below[i]);
+    });
+}
+auto shapes(const MeshState& m) {
+    return before_and_after(m, 3, [](const ShapeSummary& s, std::size_t i) {
+        return i == 0 ? s.least_angle : i == 1 ? s.largest_angle : s.mean_volume_length;
+    });
+}
+
+using M = MeshState;
 constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_MESH_ARRAY_POINT_ORIGINS, 1, &M::point_origins),
     array<Element::number>(MGDT_MESH_ARRAY_TETRAHEDRA, 4, &M::tetrahedra),
@@ -53,30 +90,38 @@ constexpr auto arrays = std::make_tuple(
     array<Element::number>(MGDT_MESH_ARRAY_EDGE_SEGMENTS, 1, &M::edge_segments),
     array<Element::integer>(MGDT_MESH_ARRAY_EDGE_MARKERS, 1, &M::edge_markers),
     array<Element::number>(MGDT_MESH_ARRAY_STEINER_EDGES, 2, &M::steiner_edges),
+    array<Element::integer>(MGDT_MESH_ARRAY_REASONS, 1, reasons),
+    array<Element::integer>(MGDT_MESH_ARRAY_ANGLE_HISTOGRAM, 2, angle_histogram),
+    array<Element::integer>(MGDT_MESH_ARRAY_TETRAHEDRA_BELOW, 2, tetrahedra_below),
     array<Element::real>(MGDT_MESH_ARRAY_POINTS, 3, &M::points),
-    array<Element::real>(MGDT_MESH_ARRAY_STEINER_PARAMETERS, 1, &M::steiner_parameters));
+    array<Element::real>(MGDT_MESH_ARRAY_STEINER_PARAMETERS, 1, &M::steiner_parameters),
+    array<Element::real>(MGDT_MESH_ARRAY_SHAPES, 2, shapes));
 
 }  // namespace of_mesh
+
+const OwnOptions<MeshSettings> mesh_options = {
+    {MGDT_MESH_OPTION_GOAL, &MeshSettings::goal, MeshSettings::largest_goal},
+    {MGDT_MESH_OPTION_BOUNDARY, &MeshSettings::slides},
+    {MGDT_MESH_OPTION_POINTS, &MeshSettings::points, MGDT_POINTS_REMOVE},
+    {MGDT_MESH_OPTION_MEAN_PASSES, &MeshSettings::mean_passes, MeshSettings::largest_mean_passes},
+    {MGDT_MESH_OPTION_MOST_PASSES, &MeshSettings::most_passes, MeshSettings::largest_most_passes}};
 
 // See entry_points.hpp.
 struct MeshResults {
     static constexpr const auto& statistics = of_mesh::statistics;
     static constexpr const auto& arrays = of_mesh::arrays;
-    static const SolidMesh& of(const Result<SolidMesh>& object) { return object.value; }
-    static void require(const SolidMesh&) {}
+    static const MeshState& of(const MeshObject& object) { return object.value; }
+    static void require(const MeshState&) {}
 };
 
 }  // namespace
 
-MGDT_OPTIONS(mesh, {})
+MGDT_LIFE(mesh)
+MGDT_OPTIONS(mesh, mesh_options)
 MGDT_PROGRESS(mesh)
 MGDT_RESULTS(mesh, MeshResults)
 MGDT_DOUBLES(mesh, MeshResults)
 MGDT_MESSAGE(mesh)
-
-extern "C" void mgdt_mesh_destroy(mgdt_mesh* m) {
-    destroy_handle(m);
-}
 
 extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int32_t measure,
                                                           int64_t capacity, double* x) {
@@ -93,7 +138,7 @@ extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, in
 
 extern "C" mgdt_status mgdt_mesh_check(const mgdt_mesh* m) {
     return guard_long(m, [&](StageProgress& progress) {
-        const Result<SolidMesh>& mesh = m->object;
+        const MeshObject& mesh = m->object;
         check_mesh(mesh.value, mesh.settings().index_base, mesh.allocator(), progress);
     });
 }

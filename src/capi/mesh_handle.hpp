@@ -3,9 +3,51 @@
 #pragma once
 
 #include "capi/handle.hpp"
+#include "improvement/mesh_improvement.hpp"
 #include "mgdt/mgdt_mesh.h"
+#include "solid/given_mesh.hpp"
 #include "solid/solid_mesh.hpp"
 
-struct mgdt_mesh : mgdt::Handle<mgdt::Result<mgdt::SolidMesh>> {
+namespace mgdt {
+
+struct MeshSettings : CallSettings, ImprovementOptions {};
+
+// A mesh, and what its handle has beside it.
+struct MeshState : SolidMesh {
+    explicit MeshState(Allocator& allocator)
+        : SolidMesh(allocator),
+          fixed_points(allocator),
+          report(allocator),
+          input(allocator),
+          fixed_input_points(allocator) {}
+
+    std::size_t given_point_count() const noexcept {
+        return points.size() / 3 - steiner_parameters.size();
+    }
+
+    void clear_input() noexcept {
+        has_input = false;
+        input.points.reset();
+        for (Buffer<std::uint32_t>* const list :
+             {&input.tetrahedra, &input.faces, &input.edges, &fixed_input_points})
+            list->reset();
+        for (Buffer<std::int32_t>* const list :
+             {&input.tetrahedron_markers, &input.face_markers, &input.edge_markers})
+            list->reset();
+    }
+
+    Buffer<std::uint32_t> fixed_points;  // of this mesh
+    ImprovementReport report;            // of its last improvement
+    // What the next build makes a mesh of, if points have been set since the last one.
+    bool has_input = false;
+    GivenMesh input;
+    Buffer<std::uint32_t> fixed_input_points;
+};
+
+using MeshObject = Result<MeshState, MeshSettings>;
+
+}  // namespace mgdt
+
+struct mgdt_mesh : mgdt::Handle<mgdt::MeshObject> {
     using Handle::Handle;
 };

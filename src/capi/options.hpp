@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options by key: those that all handles have, and switches of one handle.
+// Options by key: those that all handles have, and those of one handle.
 #pragma once
 
 #include <initializer_list>
@@ -16,17 +16,35 @@ enum CommonOption : std::int32_t {
     option_memory_limit = 30
 };
 
-// An option of a handle that is 0 or 1.
+// An option of one handle: a switch, which is 0 or 1, or a number from 0 to `most`.
 template <class Settings>
-struct Switch {
-    std::int32_t key;
-    bool Settings::*value;
+class OwnOption {
+  public:
+    constexpr OwnOption(std::int32_t key, bool Settings::*value)
+        : key(key), most(1), flag_(value) {}
+    constexpr OwnOption(std::int32_t key, std::int32_t Settings::*value, std::int32_t most)
+        : key(key), most(most), number_(value) {}
+
+    std::int64_t get(const Settings& settings) const {
+        return flag_ ? (settings.*flag_ ? 1 : 0) : settings.*number_;
+    }
+    void set(Settings& settings, std::int64_t value) const {
+        if (flag_)
+            settings.*flag_ = value != 0;
+        else
+            settings.*number_ = static_cast<std::int32_t>(value);
+    }
+    std::int32_t key, most;
+
+  private:
+    bool Settings::*flag_ = nullptr;
+    std::int32_t Settings::*number_ = nullptr;
 };
 template <class Settings>
-using Switches = std::initializer_list<Switch<Settings>>;
+using OwnOptions = std::initializer_list<OwnOption<Settings>>;
 
 template <class Object, class Settings>
-void set_option(Object& object, const Switches<Settings>& switches, std::int32_t key,
+void set_option(Object& object, const OwnOptions<Settings>& own, std::int32_t key,
                 std::int64_t value) {
     const auto require_up_to = [&](std::int64_t most) {
         if (value < 0 || value > most)
@@ -49,17 +67,17 @@ void set_option(Object& object, const Switches<Settings>& switches, std::int32_t
         default:
             break;
     }
-    for (const Switch<Settings>& s : switches)
-        if (s.key == key) {
-            require_up_to(1);
-            object.settings().*s.value = value != 0;
+    for (const OwnOption<Settings>& option : own)
+        if (option.key == key) {
+            require_up_to(option.most);
+            option.set(object.settings(), value);
             return;
         }
     fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(key));
 }
 
 template <class Object, class Settings>
-std::int64_t option_of(const Object& object, const Switches<Settings>& switches, std::int32_t key) {
+std::int64_t option_of(const Object& object, const OwnOptions<Settings>& own, std::int32_t key) {
     switch (key) {
         case option_index_base:
             return object.settings().index_base;
@@ -70,28 +88,28 @@ std::int64_t option_of(const Object& object, const Switches<Settings>& switches,
         default:
             break;
     }
-    for (const Switch<Settings>& s : switches)
-        if (s.key == key) return object.settings().*s.value ? 1 : 0;
+    for (const OwnOption<Settings>& option : own)
+        if (option.key == key) return option.get(object.settings());
     fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(key));
 }
 
 // The bodies of the functions that set and get an option.
 template <class H, class Settings = CallSettings>
 mgdt_status set_option(H* handle, std::int32_t key, std::int64_t value,
-                       const Switches<Settings>& switches = {},
+                       const OwnOptions<Settings>& own = {},
                        const char* name = __builtin_FUNCTION()) {
     return guard(
-        handle, [&] { set_option(handle->object, switches, key, value); }, name);
+        handle, [&] { set_option(handle->object, own, key, value); }, name);
 }
 template <class H, class Settings = CallSettings>
 mgdt_status get_option(const H* handle, std::int32_t key, std::int64_t* value,
-                       const Switches<Settings>& switches = {},
+                       const OwnOptions<Settings>& own = {},
                        const char* name = __builtin_FUNCTION()) {
     return guard_short(
         handle,
         [&] {
             require_pointer(value, "value");
-            *value = option_of(handle->object, switches, key);
+            *value = option_of(handle->object, own, key);
         },
         name);
 }

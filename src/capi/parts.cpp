@@ -157,12 +157,12 @@ void run_build(PartsObject& p, const Parts::Visit* visit) {
     }
 }
 
-const Switches<CallSettings> parts_switches = {
+const OwnOptions<CallSettings> parts_options = {
     {MGDT_PARTS_READ_PROGRESS, &CallSettings::watches_reads}};
 
 }  // namespace
 
-MGDT_OPTIONS(parts, parts_switches)
+MGDT_OPTIONS(parts, parts_options)
 MGDT_PROGRESS(parts)
 MGDT_MESSAGE(parts)
 

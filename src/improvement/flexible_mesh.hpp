@@ -38,6 +38,9 @@ class FlexibleMesh : public LinkedTetrahedra {
     // the mesh from which this one was made; what else it has stays. If memory runs out, it stays
     // as it was.
     void write(SolidMesh& to) const;
+    // The same, into an empty mesh; `from` is the mesh from which this one was made. `number`
+    // receives the number that the tetrahedron in each slot has there, or no_index.
+    void write(const SolidMesh& from, SolidMesh& made, Buffer<std::uint32_t>& number) const;
 
     // For tetrahedra, beside the links.
     Buffer<std::uint32_t> regions;

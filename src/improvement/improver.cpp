@@ -32,35 +32,55 @@ bool Improver::find_contraction(std::uint32_t t, Finder& finder, Change& best) c
     return !best.empty();
 }
 
+// How many passes there will be is not known: each takes a share of the progress that remains.
+template <class Pass>
+std::size_t Improver::count_changes(StageProgress& progress, const Pass& pass) {
+    constexpr double share = 0.04;
+    progress.enter(0, share);
+    const std::size_t count = pass();
+    progress.leave_behind(share);
+    changes_ += count;
+    return count;
+}
+
 std::size_t Improver::flip(StageProgress& progress) {
-    return round_.run(candidates_.size(), progress,
-                      [&](std::size_t k, unsigned member, Change& change) {
-                          return find_flip(candidates_[k], finders_[member], change);
-                      });
+    return count_changes(progress, [&] {
+        return round_.run(candidates_.size(), progress,
+                          [&](std::size_t k, unsigned member, Change& change) {
+                              return find_flip(candidates_[k], finders_[member], change);
+                          });
+    });
 }
 
 std::size_t Improver::contract(StageProgress& progress) {
-    return round_.run(candidates_.size(), progress,
-                      [&](std::size_t k, unsigned member, Change& change) {
-                          return find_contraction(candidates_[k], finders_[member], change);
-                      });
+    return count_changes(progress, [&] {
+        return round_.run(candidates_.size(), progress,
+                          [&](std::size_t k, unsigned member, Change& change) {
+                              return find_contraction(candidates_[k], finders_[member], change);
+                          });
+    });
 }
 
 std::size_t Improver::insert(StageProgress& progress) {
-    return round_.run(candidates_.size(), progress,
-                      [&](std::size_t k, unsigned member, Change& change) {
-                          return finders_[member].insertion.find(candidates_[k], goal_, change);
-                      });
+    return count_changes(progress, [&] {
+        return round_.run(candidates_.size(), progress,
+                          [&](std::size_t k, unsigned member, Change& change) {
+                              return finders_[member].insertion.find(candidates_[k], goal_, change);
+                          });
+    });
 }
 
 std::size_t Improver::smooth(StageProgress& progress) {
     constexpr int most_moves = 4;
-    return smoothing_.pass(candidates_,
-                           {most_moves, is_tail_ ? best_quality : goal_, goal_, pushes_}, progress);
+    return count_changes(progress, [&] {
+        return smoothing_.pass(
+            candidates_, {most_moves, is_tail_ ? best_quality : goal_, goal_, pushes_}, progress);
+    });
 }
 
 std::size_t Improver::smooth_mean(StageProgress& progress) {
-    return smoothing_.pass_for_mean(candidates_, settings_.goal, progress);
+    return count_changes(
+        progress, [&] { return smoothing_.pass_for_mean(candidates_, settings_.goal, progress); });
 }
 
 double Improver::choose(double quality) {
@@ -141,6 +161,7 @@ void Improver::reach_goal(StageProgress& progress) {
     double missing = choose(goal);
     for (int i = 0; i < settings_.most_passes && missing > 0; ++i) {
         const double before = missing;
+        ++passes_;
         is_tail_ = stage > 0;
         pushes_ = stage == 1;
         missing = pass(goal, stage >= 2, progress);
@@ -165,6 +186,7 @@ void Improver::reach_goal(StageProgress& progress) {
 }
 
 void Improver::run(StageProgress& progress) {
+    if (settings_.goal > 0 && choose(settings_.goal) == 0) return;
     flip_most(progress);
     choose(settings_.goal);
     smooth(progress);

@@ -30,7 +30,11 @@ class Improver {
           candidates_(mesh.allocator()),
           is_near_(mesh.allocator()) {}
 
+    // A mesh that reaches the goal is left as it is, unless the goal is 0.
     void run(StageProgress& progress);
+    // The changes and moves of all passes so far, and the passes over what is below the goal.
+    std::size_t changes() const noexcept { return changes_; }
+    std::size_t passes() const noexcept { return passes_; }
 
     // Single passes over the candidates. Each returns the number of changes.
     std::size_t flip(StageProgress& progress);
@@ -56,6 +60,8 @@ class Improver {
         VertexInsertion insertion;
         Change other;
     };
+    template <class Pass>
+    std::size_t count_changes(StageProgress& progress, const Pass& pass);
     bool find_flip(std::uint32_t t, Finder& finder, Change& best) const;
     bool find_contraction(std::uint32_t t, Finder& finder, Change& best) const;
     double pass(double quality, bool inserts, StageProgress& progress);
@@ -73,7 +79,8 @@ class Improver {
     double goal_ = 0;                   // below which tetrahedra are candidates
     bool pushes_ = false;               // whether moves may push other tetrahedra below the goal
     bool is_tail_ = false;  // whether few tetrahedra are left, which are hard to improve
-    int rings_ = 0;         // 0 while all tetrahedra may be candidates
+    std::size_t changes_ = 0, passes_ = 0;
+    int rings_ = 0;  // 0 while all tetrahedra may be candidates
 };
 
 }  // namespace mgdt

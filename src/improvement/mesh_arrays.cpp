@@ -83,22 +83,27 @@ void FlexibleMesh::read_faces(const SolidMesh& from) {
 void FlexibleMesh::write(SolidMesh& to) const {
     SolidMesh made(to.points.allocator());
     Buffer<std::uint32_t> number(allocator_);
-    write_tetrahedra(number, made);
-    write_faces(number, to, made);
-    write_edges(made);
-    write_points(to, made);
-    made.region_markers.copy(to.region_markers);
-    made.unused_regions.copy(to.unused_regions);
-    made.unused_holes.copy(to.unused_holes);
-    made.is_rounded = to.is_rounded;
-    made.grid = to.grid;
-    made.is_delaunay = false;
-    made.planar_facets = to.planar_facets;
-    made.missing_facets = to.missing_facets;
-    made.cavities = to.cavities;
-    made.largest_cavity = to.largest_cavity;
+    write(to, made, number);
     // If memory runs out before this, the mesh stays as it was.
     to = std::move(made);
+}
+
+void FlexibleMesh::write(const SolidMesh& from, SolidMesh& made,
+                         Buffer<std::uint32_t>& number) const {
+    write_tetrahedra(number, made);
+    write_faces(number, from, made);
+    write_edges(made);
+    write_points(from, made);
+    made.region_markers.copy(from.region_markers);
+    made.unused_regions.copy(from.unused_regions);
+    made.unused_holes.copy(from.unused_holes);
+    made.is_rounded = from.is_rounded;
+    made.grid = from.grid;
+    made.is_delaunay = false;
+    made.planar_facets = from.planar_facets;
+    made.missing_facets = from.missing_facets;
+    made.cavities = from.cavities;
+    made.largest_cavity = from.largest_cavity;
 }
 
 // Writes the tetrahedra, sorted, and their numbers.

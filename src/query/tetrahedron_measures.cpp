@@ -2,6 +2,7 @@
 #include "query/tetrahedron_measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parallel/watched_split.hpp"
@@ -35,6 +36,7 @@ struct Shape {
         normal[3] = cross(e01, e02);
         volume6 = dot(e01, normal[1]);
     }
+    std::array<const Vector<B>*, 6> edges() const { return {&e01, &e02, &e03, &e12, &e13, &e23}; }
     // The edge between the two vertices other than i and j, which is common to their facets.
     const Vector<B>& edge_of_facets(int i, int j) const {
         const Vector<B>* const edges[] = {&e23, &e13, &e12, &e03, &e02, &e01};
@@ -68,6 +70,9 @@ double extreme_angle(bool is_largest, const Angle& angle) {
     return extreme;
 }
 
+// For 6 sqrt(2) V / (S/6)^(3/2), where S is the sum of the squares of the edges, and 6 V is known.
+constexpr double volume_length_factor = 20.784609690826527522;  // 12 sqrt(3)
+
 WideDouble root(const WideDouble& x) {
     return x.mantissa == 0 ? x : over_root(x, x);
 }
@@ -89,17 +94,27 @@ bool measure_in(Numbers& numbers, const double* const (&p)[4], int scale,
         for (int k = 0; k < 3; ++k) d.x[k] = numbers.difference(a[k], b[k]);
         return d;
     });
-    if (measure == TetrahedronMeasure::longest_edge) {
-        WideDouble longest;
-        for (const Vector<B>* edge :
-             {&shape.e01, &shape.e02, &shape.e03, &shape.e12, &shape.e13, &shape.e23}) {
-            const WideDouble square = known(dot(*edge, *edge));
-            if (longest < square) longest = square;
-        }
-        x = (root(longest) * WideDouble(1, -scale)).in_double();
+    const auto squares = [&] {
+        std::array<WideDouble, 6> all;
+        std::size_t i = 0;
+        for (const Vector<B>* edge : shape.edges()) all[i++] = known(dot(*edge, *edge));
+        return all;
+    };
+    if (measure == TetrahedronMeasure::longest_edge || measure == TetrahedronMeasure::edge_ratio) {
+        const auto all = squares();
+        const auto [shortest, longest] = std::minmax_element(all.begin(), all.end());
+        x = measure == TetrahedronMeasure::longest_edge
+                ? (root(*longest) * WideDouble(1, -scale)).in_double()
+                : (root(*longest) / root(*shortest)).in_double();
         return is_known;
     }
     const WideDouble volume6 = known(shape.volume6);
+    if (measure == TetrahedronMeasure::volume_length) {
+        WideDouble sum;
+        for (const WideDouble& square : squares()) sum = sum + square;
+        x = (WideDouble(volume_length_factor) * volume6 / (sum * root(sum))).in_double();
+        return is_known;
+    }
     if (measure == TetrahedronMeasure::volume) {
         x = (volume6 * WideDouble(1, -3 * std::int64_t{scale}) / WideDouble(6)).in_double();
         return is_known;
@@ -147,14 +162,23 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
         return d;
     });
     const int unscaled = exponent - scale;
-    double square = 0;
-    for (const Vector<double>* edge :
-         {&shape.e01, &shape.e02, &shape.e03, &shape.e12, &shape.e13, &shape.e23})
-        square = std::max(square, dot(*edge, *edge));
+    double square = 0, least_square = HUGE_VAL, sum = 0;
+    for (const Vector<double>* edge : shape.edges()) {
+        const double length2 = dot(*edge, *edge);
+        square = std::max(square, length2);
+        least_square = std::min(least_square, length2);
+        sum += length2;
+    }
     const double longest = std::sqrt(square), volume6 = std::fabs(shape.volume6);
     if (measure == TetrahedronMeasure::longest_edge) {
         x = std::ldexp(longest, unscaled);
         return true;
+    }
+    if (measure == TetrahedronMeasure::edge_ratio) {
+        // A shorter edge may have lost digits to underflow.
+        constexpr double least = 0x1p-900;
+        x = longest / std::sqrt(least_square);
+        return least_square > least;
     }
     if (!(volume6 > flatness * (longest * square))) return false;
     switch (measure) {
@@ -164,6 +188,9 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
             x = 6 * (volume6 * volume6) / (areas * length(shape.center_numerator()));
             break;
         }
+        case TetrahedronMeasure::volume_length:
+            x = volume_length_factor * volume6 / (sum * std::sqrt(sum));
+            break;
         case TetrahedronMeasure::least_dihedral_angle:
         case TetrahedronMeasure::largest_dihedral_angle:
             x = extreme_angle(measure == TetrahedronMeasure::largest_dihedral_angle,

@@ -10,9 +10,11 @@ namespace mgdt {
 enum class TetrahedronMeasure {
     volume,
     radius_ratio,
+    volume_length,
     least_dihedral_angle,
     largest_dihedral_angle,
-    longest_edge
+    longest_edge,
+    edge_ratio
 };
 
 // Upper bound on the relative error of a measure, unless it is rounded to a subnormal number, and

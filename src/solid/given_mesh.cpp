@@ -21,22 +21,29 @@ class Linking {
           base_(base),
           allocator_(allocator),
           out_(out),
-          tetrahedra_(allocator),
           sides_(allocator),
           faces_(allocator) {}
 
-    void run() {
+    void run(StageProgress& progress) {
         out_.points.copy(given_.points);
         out_.exact_points.copy(given_.points);
         out_.is_delaunay = false;
         const auto points = static_cast<std::uint32_t>(given_.points.size() / 3);
         for (std::uint32_t p = 0; p < points; ++p) out_.point_origins.push_back(p);
-        sort_tetrahedra();
+        progress.report(0);
+        orient_tetrahedra();
+        find_equal_tetrahedra();
+        progress.report(0.3);
         number_regions();
         collect_sides();
+        progress.report(0.6);
         link();
         add_given_faces();
-        sort_faces();
+        find_tetrahedra_of_faces();
+        progress.report(0.8);
+        write_faces();
+        number_facets();
+        progress.report(0.9);
         add_edges();
         list_unused_points();
     }
@@ -58,34 +65,34 @@ class Linking {
     const double* point(std::uint32_t v) const {
         return given_.points.begin() + 3 * std::size_t{v};
     }
-    // The caller's tetrahedron that has become tetrahedron t.
-    std::uint32_t origin(std::uint32_t t) const { return tetrahedra_[t].from; }
 
-    void sort_tetrahedra() {
-        const std::size_t count = given_.tetrahedra.size() / 4;
-        for (std::uint32_t t = 0; t < count; ++t) {
-            const std::uint32_t* const v = given_.tetrahedra.begin() + 4 * std::size_t{t};
-            SortedCorners<4> sorted = {{v[0], v[1], v[2], v[3]}, t, false};
-            sorted.sort();
-            if (std::adjacent_find(sorted.v, sorted.v + 4) != sorted.v + 4)
-                refuse_tetrahedron("has a corner twice", t);
-            // From here on `is_odd` says whether the sorted corners are negatively oriented.
-            const int sign = orientation(point(sorted.v[0]), point(sorted.v[1]), point(sorted.v[2]),
-                                         point(sorted.v[3]));
+    // Writes the tetrahedra, positively oriented.
+    void orient_tetrahedra() {
+        out_.tetrahedra.copy(given_.tetrahedra);
+        for (std::uint32_t t = 0; t < count(); ++t) {
+            std::uint32_t* const v = out_.tetrahedra.begin() + 4 * std::size_t{t};
+            for (int i = 1; i < 4; ++i)
+                if (std::find(v, v + i, v[i]) != v + i) refuse_tetrahedron("has a corner twice", t);
+            const int sign = orientation(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
             if (sign == 0) refuse_tetrahedron("is flat", t);
-            sorted.is_odd = sign < 0;
-            tetrahedra_.push_back(sorted);
+            if (sign < 0) std::swap(v[2], v[3]);
         }
-        std::sort(tetrahedra_.begin(), tetrahedra_.end());
-        for (std::size_t t = 1; t < count; ++t)
-            if (tetrahedra_[t].has_same_corners(tetrahedra_[t - 1]))
+    }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(out_.tetrahedron_count()); }
+
+    void find_equal_tetrahedra() const {
+        Buffer<SortedCorners<4>> sorted(allocator_);
+        for (std::uint32_t t = 0; t < count(); ++t) {
+            const std::uint32_t* const v = out_.tetrahedra.begin() + 4 * std::size_t{t};
+            sorted.push_back({{v[0], v[1], v[2], v[3]}, t, false});
+            sorted.back().sort();
+        }
+        std::sort(sorted.begin(), sorted.end());
+        for (std::size_t t = 1; t < sorted.size(); ++t)
+            if (sorted[t].has_same_corners(sorted[t - 1]))
                 fail(MGDT_ERR_INVALID_ARGUMENT, "tetrahedra %lld and %lld have the same corners",
-                     number(std::min(tetrahedra_[t - 1].from, tetrahedra_[t].from)),
-                     number(std::max(tetrahedra_[t - 1].from, tetrahedra_[t].from)));
-        for (SortedCorners<4>& t : tetrahedra_) {
-            if (t.is_odd) std::swap(t.v[2], t.v[3]);
-            for (const std::uint32_t v : t.v) out_.tetrahedra.push_back(v);
-        }
+                     number(std::min(sorted[t - 1].from, sorted[t].from)),
+                     number(std::max(sorted[t - 1].from, sorted[t].from)));
     }
 
     // Regions are numbered in the order of their markers.
@@ -93,23 +100,23 @@ class Linking {
         const bool has_markers = !given_.tetrahedron_markers.empty();
         for (const std::int32_t marker : given_.tetrahedron_markers)
             out_.region_markers.push_back(marker);
-        if (!has_markers && !tetrahedra_.empty()) out_.region_markers.push_back(0);
+        if (!has_markers && count() > 0) out_.region_markers.push_back(0);
         std::int32_t* const begin = out_.region_markers.begin();
         std::sort(begin, out_.region_markers.end());
         out_.region_markers.resize(
             static_cast<std::size_t>(std::unique(begin, out_.region_markers.end()) - begin));
-        for (const SortedCorners<4>& t : tetrahedra_) {
-            const std::int32_t marker = has_markers ? given_.tetrahedron_markers[t.from] : 0;
+        for (std::uint32_t t = 0; t < count(); ++t) {
+            const std::int32_t marker = has_markers ? given_.tetrahedron_markers[t] : 0;
             out_.regions.push_back(static_cast<std::uint32_t>(
                 std::lower_bound(begin, out_.region_markers.end(), marker) - begin));
         }
     }
 
     void collect_sides() {
-        for (std::uint32_t t = 0; t < tetrahedra_.size(); ++t)
+        for (std::uint32_t t = 0; t < count(); ++t)
             for (unsigned i = 0; i < 4; ++i) {
                 const unsigned char* const f = outer_face[i];
-                const std::uint32_t(&v)[4] = tetrahedra_[t].v;
+                const std::uint32_t* const v = out_.tetrahedra.begin() + 4 * std::size_t{t};
                 Side side = {{v[f[0]], v[f[1]], v[f[2]]}, 4 * t + i, false};
                 side.sort();
                 sides_.push_back(side);
@@ -129,12 +136,12 @@ class Linking {
             const std::uint32_t s = one.from / 4, t = other.from / 4;
             if (end - i > 2)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "tetrahedra %lld, %lld and %lld have a common face",
-                     number(origin(s)), number(origin(sides_[i + 1].from / 4)), number(origin(t)));
+                     number(s), number(sides_[i + 1].from / 4), number(t));
             if (end - i == 2) {
                 if (one.is_odd == other.is_odd)
                     fail(MGDT_ERR_INVALID_ARGUMENT,
                          "tetrahedra %lld and %lld are on the same side of their common face",
-                         number(origin(s)), number(origin(t)));
+                         number(s), number(t));
                 out_.neighbors[one.from] = t;
                 out_.neighbors[other.from] = s;
             }
@@ -155,7 +162,7 @@ class Linking {
     }
 
     // Sorts the faces, of equal ones the caller's first, and finds their tetrahedra.
-    void sort_faces() {
+    void find_tetrahedra_of_faces() {
         std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
             return a.corners < b.corners ||
                    (!(b.corners < a.corners) && a.corners.from < b.corners.from);
@@ -180,22 +187,27 @@ class Linking {
                      number(face.corners.from));
             for (const Side* s = side; s != sides_.end() && s->has_same_corners(face.corners); ++s)
                 face.codes[s->is_odd == face.corners.is_odd ? 0 : 1] = s->from;
-            write(face);
         }
-        number_facets();
     }
 
-    void write(const Face& face) {
-        const std::uint32_t(&v)[3] = face.corners.v;
-        const bool turns = face.corners.is_odd;
-        out_.faces.push_back(v[0]);
-        out_.faces.push_back(v[turns ? 2 : 1]);
-        out_.faces.push_back(v[turns ? 1 : 2]);
-        for (const std::uint32_t code : face.codes)
-            out_.face_tetrahedra.push_back(code == no_index ? no_index : code / 4);
-        const std::uint32_t from = face.corners.from;
-        out_.face_markers.push_back(
-            from == no_index || given_.face_markers.empty() ? 0 : given_.face_markers[from]);
+    // Writes the faces: the caller's as they were given, then the others.
+    void write_faces() {
+        std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+            return a.corners.from != b.corners.from ? a.corners.from < b.corners.from
+                                                    : a.corners < b.corners;
+        });
+        for (const Face& face : faces_) {
+            const std::uint32_t from = face.corners.from;
+            const std::uint32_t(&sorted)[3] = face.corners.v;
+            const bool turns = face.corners.is_odd;
+            for (unsigned k = 0; k < 3; ++k)
+                out_.faces.push_back(from != no_index ? given_.faces[3 * std::size_t{from} + k]
+                                                      : sorted[turns ? (3 - k) % 3 : k]);
+            for (const std::uint32_t code : face.codes)
+                out_.face_tetrahedra.push_back(code == no_index ? no_index : code / 4);
+            out_.face_markers.push_back(
+                from == no_index || given_.face_markers.empty() ? 0 : given_.face_markers[from]);
+        }
     }
 
     // An edge of a face.
@@ -289,8 +301,8 @@ class Linking {
         for (double& c_ : n) c_ = square > 0 ? c_ / std::sqrt(square) : 0;
     }
 
-    // Adds the caller's edges to those of facets, and sorts all edges. Refuses an edge that is not
-    // an edge of a tetrahedron.
+    // Adds the caller's edges to those of facets: the caller's come first. Refuses an edge that is
+    // not an edge of a tetrahedron.
     void add_edges() {
         PairTable edges(allocator_);
         for (std::size_t e = 0; e < out_.edges.size(); e += 2)
@@ -324,12 +336,15 @@ class Linking {
             order.push_back(e);
         }
         std::sort(order.begin(), order.end(), [&](std::uint32_t one, std::uint32_t other) {
-            return edges.pair(one) < edges.pair(other);
+            return origin[one] != origin[other] ? origin[one] < origin[other]
+                                                : edges.pair(one) < edges.pair(other);
         });
         out_.edges.clear();
         for (const std::uint32_t e : order) {
-            out_.edges.push_back(edges.pair(e).first);
-            out_.edges.push_back(edges.pair(e).second);
+            const auto ends = edges.pair(e);
+            out_.edges.push_back(origin[e] == no_index ? ends.first : given_.edges[2 * origin[e]]);
+            out_.edges.push_back(origin[e] == no_index ? ends.second
+                                                       : given_.edges[2 * origin[e] + 1]);
             out_.edge_segments.push_back(origin[e]);
             out_.edge_markers.push_back(origin[e] == no_index || given_.edge_markers.empty()
                                             ? 0
@@ -349,16 +364,15 @@ class Linking {
     const std::int64_t base_;
     Allocator& allocator_;
     SolidMesh& out_;
-    Buffer<SortedCorners<4>> tetrahedra_;  // positively oriented, sorted by their corners
-    Buffer<Side> sides_;                   // all faces of tetrahedra, sorted
-    Buffer<Face> faces_;                   // those that the mesh lists, sorted
+    Buffer<Side> sides_;  // all faces of tetrahedra, sorted
+    Buffer<Face> faces_;  // those that the mesh lists
 };
 
 }  // namespace
 
 void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
-               SolidMesh& out) {
-    Linking(given, index_base, allocator, out).run();
+               StageProgress& progress, SolidMesh& out) {
+    Linking(given, index_base, allocator, out).run(progress);
 }
 
 }  // namespace mgdt

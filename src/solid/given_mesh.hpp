@@ -2,6 +2,7 @@
 // A mesh that a caller gives as lists of tetrahedra, faces and edges.
 #pragma once
 
+#include "platform/stage_progress.hpp"
 #include "solid/solid_mesh.hpp"
 
 namespace mgdt {
@@ -27,14 +28,15 @@ struct GivenMesh {
     Buffer<std::int32_t> edge_markers;
 };
 
-// Makes a mesh of the caller's tetrahedra. Their corners may have any order. All tetrahedra with
-// the same marker form a region. The mesh lists the caller's faces, the faces at which it ends, and
-// the faces between regions. Listed faces that continue each other in one plane form a facet. The
-// mesh lists the caller's edges, and the edges at which facets end. Throws
+// Makes a mesh of the caller's tetrahedra, which keep their numbers. Their corners may have any
+// order; the last two of a negative tetrahedron are exchanged. All tetrahedra with the same marker
+// form a region. The mesh lists the caller's faces, then the other faces at which it ends or
+// regions meet. Listed faces that continue each other in one plane form a facet. The mesh lists the
+// caller's edges, then the other edges at which facets end. Throws
 // MGDT_ERR_INVALID_ARGUMENT, with the number of what is wrong, if a tetrahedron is flat, if
 // tetrahedra at a face are more than two or on the same side of it, or if a face or an edge is none
 // of a tetrahedron.
 void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
-               SolidMesh& out);
+               StageProgress& progress, SolidMesh& out);
 
 }  // namespace mgdt

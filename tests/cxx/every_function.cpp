@@ -95,6 +95,49 @@ bool calls_voronoi(const std::vector<mgdt::Point>& points) {
     return !whole && again && again.handle() != nullptr;
 }
 
+// Whether a mesh of two tetrahedra does what it is asked.
+bool calls_mesh() {
+    const std::vector<mgdt::Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    mgdt::Mesh mesh;
+    int heard = 0;
+    mesh.set_progress([&](double) { ++heard; });
+    mesh.set_points(points);
+    mesh.set_tetrahedra(std::vector<std::int64_t>{0, 1, 2, 3, 1, 2, 3, 4},
+                        std::vector<std::int32_t>{5, 6});
+    mesh.set_faces(std::vector<std::int64_t>{1, 2, 3}, std::vector<std::int32_t>{7});
+    mesh.set_edges(std::vector<std::int64_t>{1, 2});
+    mesh.set_fixed_points(std::vector<std::int64_t>{4});
+    mesh.build();
+    mesh.check();
+    mesh.set_option(mgdt::MeshOption::goal, 60);
+    mesh.set_option(mgdt::MeshOption::boundary, MGDT_BOUNDARY_SLIDE);
+    mesh.improve();
+    mesh.clear_progress();
+    if (heard == 0 || mesh.statistic(mgdt::MeshStatistic::regions) != 2) return false;
+    if (mesh.array(mgdt::MeshArray::reasons).size() != 2) return false;
+    if (mesh.doubles(mgdt::MeshDoubles::shapes).size() != 6) return false;
+    if (mesh.array<std::int32_t>(mgdt::MeshArray::face_markers).size() != 7) return false;
+    try {
+        mesh.set_tetrahedra(std::vector<std::int64_t>{0, 1, 2});
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
+    try {
+        mesh.set_edges(std::vector<std::int64_t>{0, 1}, std::vector<std::int32_t>{1, 2});
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
+    mgdt::Mesh with_memory(nullptr, nullptr, nullptr);
+    try {
+        with_memory.build();
+        return false;
+    } catch (const mgdt::Error& e) {
+        return e.status() == MGDT_ERR_INVALID_ARGUMENT;
+    }
+}
+
 // Whether a domain, a tetrahedron with a point inside, does what it is asked.
 bool calls_domain() {
     const std::vector<mgdt::Point> points{
@@ -237,6 +280,7 @@ int main() {
     try {
         if (!calls_parts({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 30;
         if (!calls_voronoi({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 31;
+        if (!calls_mesh()) return 29;
         if (!calls_domain()) return 32;
         if (!calls_periodic()) return 33;
         Heap heap;

@@ -5,6 +5,8 @@
 #include <mgdt/mgdt_periodic.h>
 #include <mgdt/mgdt_voronoi.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -127,6 +129,73 @@ Kind domain() {
           [d](void* h) { return mgdt_domain_set_segments(d(h), 0, nullptr, nullptr); }, false},
          {"mesh", [d](void* h) { return make_mesh(d(h)); }},
          {"clear", [d](void* h) { return mgdt_domain_clear(d(h)); }, false}}};
+}
+
+// The cubes of a lattice with a moved point, each of six tetrahedra.
+Kind mesh() {
+    static const std::int64_t side = 3, layer = side * side;
+    static const Points points = [] {
+        Points all;
+        for (int i = 0; i < side * layer; ++i)
+            for (const std::int64_t step : {std::int64_t{1}, side, layer})
+                all.push_back(double(i / step % side) + (i == side * layer / 2 ? 0.4 : 0.0));
+        return all;
+    }();
+    static const std::vector<std::int64_t> corners = [] {
+        std::vector<std::int64_t> all;
+        for (std::int64_t i = 0; i < (side - 1) * layer; ++i) {
+            if (i % side == side - 1 || i / side % side == side - 1) continue;
+            std::array<std::int64_t, 3> steps = {1, side, layer};
+            do {
+                std::int64_t v = i;
+                all.push_back(v);
+                for (const std::int64_t step : steps) all.push_back(v += step);
+            } while (std::next_permutation(steps.begin(), steps.end()));
+        }
+        return all;
+    }();
+    static const std::vector<std::int32_t> markers(corners.size() / 4, 3);
+    static const std::int64_t edge[] = {0, 1 + side + layer}, fixed[] = {0, 5};
+    const auto m = [](void* h) { return static_cast<mgdt_mesh*>(h); };
+    return {
+        "mesh",
+        [](void** out) {
+            return mgdt_mesh_create_with_allocator(handle_take, handle_give, nullptr,
+                                                   reinterpret_cast<mgdt_mesh**>(out));
+        },
+        [m](void* h) { mgdt_mesh_destroy(m(h)); },
+        {{"set_points",
+          [m](void* h) { return mgdt_mesh_set_points(m(h), side * layer, points.data()); }},
+         {"set_tetrahedra",
+          [m](void* h) {
+              return mgdt_mesh_set_tetrahedra(m(h), static_cast<std::int64_t>(markers.size()),
+                                              corners.data(), markers.data());
+          }},
+         {"set_faces",
+          [m](void* h) { return mgdt_mesh_set_faces(m(h), 1, corners.data(), markers.data()); }},
+         {"set_edges", [m](void* h) { return mgdt_mesh_set_edges(m(h), 1, edge, markers.data()); }},
+         {"set_fixed_points", [m](void* h) { return mgdt_mesh_set_fixed_points(m(h), 2, fixed); }},
+         {"build",
+          [m](void* h) {
+              // Once it is built, there is nothing to build.
+              std::int64_t n = 0;
+              const mgdt_status s = mgdt_mesh_get_stat(m(h), MGDT_MESH_STAT_TETRAHEDRA, &n);
+              return s != MGDT_OK || n > 0 ? s : mgdt_mesh_build(m(h));
+          }},
+         {"check", [m](void* h) { return mgdt_mesh_check(m(h)); }},
+         {"improve",
+          [m](void* h) {
+              mgdt_status s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_GOAL, 35);
+              if (s == MGDT_OK) s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_MOST_PASSES, 2);
+              if (s == MGDT_OK) s = mgdt_mesh_improve(m(h));
+              return s;
+          }},
+         {"arrays",
+          [m](void* h) {
+              return read_arrays_of<mgdt_mesh>(m(h), mgdt_mesh_get_size, mgdt_mesh_get_array,
+                                               mgdt_mesh_get_doubles);
+          },
+          false}}};
 }
 
 mgdt_status read_diagram(mgdt_voronoi* v) {
@@ -344,7 +413,7 @@ TEST_P(EveryHandle, RefusesTheHandleItself) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Allocator, EveryHandle,
-                         testing::Values(triangulation(), domain(), box(), parts()),
+                         testing::Values(triangulation(), domain(), mesh(), box(), parts()),
                          [](const auto& info) {
                              std::string name;
                              for (const char c : std::string(info.param.name))

@@ -22,6 +22,7 @@ program test_domain
     call two_cubes()
     call a_hole()
     call further_points()
+    call improved_mesh()
     call what_is_refused()
     call conclude()
 
@@ -225,6 +226,81 @@ contains
             at = points(:, edges(1, i)) + t(i)*(points(:, edges(2, i)) - points(:, edges(1, i)))
             call expect(all(abs(points(:, 6 + i) - at) <= 0), 'on its edge')
         end do
+    end subroutine
+
+    ! A mesh of the caller's tetrahedra: a cube, whose centre is moved.
+    subroutine improved_mesh()
+        type(mgdt_tetrahedral_mesh) :: mesh, other
+        real(real64) :: xyz(3, 9), volume
+        real(real64), allocatable :: shapes(:, :), points(:, :), volumes(:)
+        integer :: corners(4, 12), i, stat
+        integer, allocatable :: markers(:), below(:, :), reasons(:)
+        integer(int64), allocatable :: long(:, :)
+        character(200) :: message
+
+        xyz(:, :8) = tower(:, :8)
+        xyz(:, 9) = [1.7_real64, 0.5_real64, 0.4_real64]
+        do i = 1, 6
+            corners(:, 2*i - 1) = [squares(1, i), squares(2, i), squares(3, i), 9]
+            corners(:, 2*i) = [squares(1, i), squares(4, i), squares(3, i), 9]
+        end do
+        call mesh%set_points(xyz)
+        call mesh%set_tetrahedra(corners, [(4, i=1, 12)])
+        call mesh%set_faces(corners(:3, :2), [5, 6])
+        call mesh%set_edges(reshape([1, 2], [2, 1]), [7])
+        call mesh%build()
+        call mesh%check()
+        call expect(mesh%statistic(mgdt_mesh_stat_tetrahedra) == 12, 'all tetrahedra')
+        call mesh%get(mgdt_mesh_array_face_markers, markers)
+        call expect(all(markers(:2) == [5, 6]) .and. all(markers(3:) == 0), 'markers of faces')
+        call mesh%get(mgdt_mesh_array_tetrahedra, long)
+        call expect(all(minval(long, 1) >= 1) .and. maxval(long) == 9, 'numbers from 1')
+
+        call mesh%set_option(mgdt_mesh_option_goal, 40)
+        call mesh%set_option(mgdt_mesh_option_boundary, mgdt_boundary_slide)
+        call mesh%set_progress(hear)
+        heard = 0
+        call mesh%improve()
+        call mesh%remove_progress()
+        call expect(heard > 0, 'progress of an improvement')
+        call mesh%check()
+        call mesh%get(mgdt_mesh_array_shapes, shapes)
+        call expect(shapes(2, 1) > shapes(1, 1), 'larger angles')
+        call mesh%get(mgdt_mesh_array_tetrahedra_below, below)
+        call expect(size(below, 2) == 6 .and. below(1, 6) > below(2, 5), 'fewer small angles')
+        call mesh%get(mgdt_mesh_array_reasons, reasons)
+        call expect(count(reasons /= mgdt_reason_none) == mesh%statistic(mgdt_mesh_stat_below_goal), &
+                    'reasons')
+        allocate (volumes(mesh%statistic(mgdt_mesh_stat_tetrahedra)))
+        call mesh%get_tetrahedron_measures(mgdt_tetrahedron_volume, volumes)
+        volume = sum(volumes)
+        call expect(abs(volume - 8) < 1e-12_real64, 'the volume')
+
+        ! Fixed points, and 64 bits.
+        call other%set_option(mgdt_mesh_option_threads, 2)
+        call other%set_points(reshape(xyz, [27]))
+        call other%set_tetrahedra(int(corners, int64))
+        call other%set_faces(int(corners(:3, :1), int64))
+        call other%set_edges(reshape([1_int64, 9_int64], [2, 1]))
+        call other%set_fixed_points([9_int64])
+        call other%build()
+        call other%set_fixed_points([9, 1])
+        call other%improve()
+        call other%get(mgdt_mesh_array_points, points)
+        call expect(all(abs(points(:, 9) - xyz(:, 9)) <= 0), 'a fixed point')
+
+        call other%build(stat, message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'no tetrahedra')
+        call other%set_points(xyz)
+        call other%set_tetrahedra(corners(:3, :), stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'first extent 3')
+        corners(2, 5) = 10
+        call other%set_tetrahedra(corners, stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'tetrahedron 5 has the corner 10')
+        corners(2, 5) = corners(1, 5)
+        call other%set_tetrahedra(corners)
+        call other%build(stat, message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'tetrahedron 5 has a corner twice')
     end subroutine
 
     subroutine what_is_refused()

@@ -683,7 +683,7 @@
       CHARACTER*4 SHORT
       INCLUDE 'mgdt_f77.inc'
       CALL MGVERS(TEXT, IABI, IERR)
-      CALL EXPECT(TEXT .EQ. '1.3.0' .AND. IABI .EQ. 1, 'MGVERS')
+      CALL EXPECT(TEXT .EQ. '1.4.0' .AND. IABI .EQ. 1, 'MGVERS')
       CALL MGSTNM(MGFWST, TEXT, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. 'walk steps', 'MGSTNM')
       CALL MGSTNM(MGFWST, SHORT, IERR)
@@ -818,6 +818,8 @@
       DOUBLE PRECISION VOLS(MAXT)
       DOUBLE PRECISION XYZ(3, 12), P(3, 2), GOT(3, 12), V(9), VOL
       DOUBLE PRECISION CROSS(3, 6), BYTES
+      INTEGER HM(4), ITM(4, 2)
+      DOUBLE PRECISION PM(3, 5), SHAPES(6)
       CHARACTER*256 TEXT
       LOGICAL YES
       EXTERNAL DOMPRO, DOMSTP
@@ -833,6 +835,8 @@
      &            1, 1, -1, 1, 1, 2, 5, 1, 1/
       DATA IC /1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 7/
       DATA ISEG /1, 2, 9, 10/
+      DATA PM /0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1/
+      DATA ITM /1, 2, 3, 4, 2, 3, 4, 5/
       CALL MGDNEW(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDNEW')
       CALL MGDGOP(HD, MGDBAS, I, IERR)
@@ -957,6 +961,37 @@
       CALL EXPECT(IERR .EQ. 0, 'built')
       CALL MGUNUM(HX, MGUNTE, N, IERR)
       CALL EXPECT(N .GT. 0 .AND. N .LT. NT, 'a cube is a hole')
+! A mesh of two tetrahedra that the caller has.
+      CALL MGUNEW(HM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUNEW')
+      CALL MGUINP(HM, 5, PM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUINP')
+      CALL MGUINT(HM, 2, ITM, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUINT')
+      CALL MGUTRI(HM, 1, ITM(2, 1), MARK(3), IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUTRI')
+      CALL MGUSEG(HM, 1, ITM(3, 1), MARK(4), IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUSEG')
+      CALL MGUINX(HM, 1, ITM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUINX')
+      CALL MGUBLD(HM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUBLD')
+      CALL MGUBLD(HM, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'nothing to build')
+      CALL MGUOPT(HM, MGUGOA, 50, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'a goal')
+      CALL MGUIMP(HM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGUIMP')
+      CALL MGUCHK(HM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'the improved mesh')
+      CALL MGUNUM(HM, MGUNRG, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 2, 'two regions')
+      CALL MGUDBL(HM, MGUSHA, 6, SHAPES, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. SHAPES(2) .GE. SHAPES(1),
+     &            'angles before and after')
+      CALL MGUFRE(HM, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'the mesh is freed')
+      CALL MGUNUM(HX, MGUNTE, N, IERR)
 ! What is refused.
       CALL MGUARR(HX, MGUTET, 4*N - 1, ITET, IERR)
       CALL EXPECT(IERR .EQ. MGEBUF, 'no room')

@@ -332,7 +332,7 @@ contains
         end do
         call expect(mgdt_order_scheme_name(mgdt_order_multi_grid) == 'multi-grid', 'multi-grid')
         call expect(mgdt_order_scheme_name(5) == '', 'the name of no scheme')
-        call expect(mgdt_version() == '1.3.0', 'version')
+        call expect(mgdt_version() == '1.4.0', 'version')
         call expect(mgdt_abi_version() == 1, 'version of the binary interface')
         call expect(len(mgdt_status_string(mgdt_ok)) > 0, 'success has a text')
         call expect(mgdt_status_string(mgdt_err_not_finite) /= mgdt_status_string(9999), 'texts')

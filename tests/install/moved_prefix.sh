@@ -95,10 +95,10 @@ found_by_cmake() { # what find_package is given
 }
 
 library_lost() {
-    mv "$moved/shared/lib/libmgdt.so.1.3.0" "$scratch/lost"
+    mv "$moved/shared/lib/libmgdt.so.1.4.0" "$scratch/lost"
     refused_by_cmake 1.0 'is missing'
     status=$?
-    mv "$scratch/lost" "$moved/shared/lib/libmgdt.so.1.3.0"
+    mv "$scratch/lost" "$moved/shared/lib/libmgdt.so.1.4.0"
     return $status
 }
 
@@ -110,10 +110,10 @@ for kind in shared static; do
     check "moved: CMake, C++, $kind" through_cmake $kind CXX example.cpp
 done
 check "moved: CMake, Fortran" fortran_through_cmake
-for version in '' 1 1.0.0 1.1 1.2 1.3 '1.3.0 EXACT' 1.0...1.9 1.0...2; do
+for version in '' 1 1.0.0 1.1 1.2 1.3 1.4 '1.4.0 EXACT' 1.0...1.9 1.0...2; do
     check "CMake finds '$version'" found_by_cmake "$version"
 done
-for version in 0.9 1.4 2.0 1.4...1.9 '1.0.0 EXACT' '1.0...<1.3.0' 0.5...1.5; do
+for version in 0.9 1.5 2.0 1.5...1.9 '1.0.0 EXACT' '1.0...<1.4.0' 0.5...1.5; do
     check "CMake refuses version $version" refused_by_cmake "$version" 'version'
 done
 check "CMake refuses a component" refused_by_cmake '1.0 COMPONENTS solver' 'no component solver'

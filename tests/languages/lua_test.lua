@@ -605,6 +605,68 @@ test("a domain", function()
     collectgarbage()
 end)
 
+test("a mesh", function()
+    local function integers(name)
+        local array, count = read("block_given_" .. name, "int64_t")
+        local list = {}
+        for k = 0, count - 1 do list[k + 1] = tonumber(array[k]) end
+        return list
+    end
+    local function rows(list, width)
+        local found = {}
+        for k = 0, #list / width - 1 do
+            found[k + 1] = {}
+            for i = 1, width do found[k + 1][i] = list[width * k + i] end
+        end
+        return found
+    end
+    local heard = 0
+    local given = { points = read("block_given_points", "double"), tetrahedra = rows(integers "tetrahedra", 4),
+        markers = integers "markers", faces = rows(integers "faces", 3), face_markers = integers "face_markers",
+        progress = function(fraction) heard = heard + fraction end }
+    local mesh = mgdt.mesh(given)
+    assert(heard > 0)
+    equal(mesh:check(), true, "check")
+    equal(mesh.region_count, 2, "regions")
+    assert(tostring(mesh):find("mgdt mesh: 125 points, 384 tetrahedra, 2 regions"))
+    heard = 0
+    equal(mesh:improve { goal = 30, boundary = "slide", fixed = integers "fixed",
+        progress = function(fraction) heard = heard + fraction end }, mesh, "the mesh")
+    assert(heard > 0)
+    equal(mesh:check(), true, "check")
+    equal(mesh.below_goal, 0, "below the goal")
+    for name in pairs(require("mgdt.interface").mesh_array) do
+        local is_integer = tostring(ffi.typeof(mesh[name])):match("int") ~= nil
+        local reference, length = read("block_" .. name, is_integer and "int64_t" or "double")
+        equal(ffi.sizeof(mesh[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+        same(mesh[name], reference, length, name)
+    end
+    assert(mesh.shapes[0][1] > mesh.shapes[0][0])
+
+    local one = { points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, index_base = 1,
+        tetrahedra = ffi.new("int32_t[1][4]", { { 1, 2, 3, 4 } }), edges = { { 2, 3 } }, edge_markers = { 5 } }
+    equal(mgdt.mesh(one).edge_markers[0], 5, "an edge")
+    local function without(change)
+        local copy = {}
+        for name, value in pairs(one) do copy[name] = value end
+        for name, value in pairs(change) do copy[name] = value end
+        return mgdt.mesh, copy
+    end
+    refused("invalid_argument", { "tetrahedron 1 has the corner 5" }, without { tetrahedra = { { 1, 2, 3, 5 } } })
+    refused("invalid_argument", { "tetrahedra[1] is not 4" }, without { tetrahedra = { { 1, 2, 3 } } })
+    refused("invalid_argument", { "corners of faces[2] is x" }, without { faces = { { 1, "x", 2 } } })
+    refused("invalid_argument", { "markers" }, without { markers = { 1, 2 } })
+    refused("invalid_argument", { "no setting facets" }, without { facets = {} })
+    refused("invalid_argument", { "no tetrahedra" }, without { tetrahedra = {} })
+    refused("cancelled", {}, without { progress = function() return true end })
+    local tetrahedron = mgdt.mesh(one)
+    for name, value in pairs { goal = 71, boundary = "open", points = "lose", fixed = 3, mean_passes = -1, most = 1 } do
+        refused("invalid_argument", {}, tetrahedron.improve, tetrahedron, { [name] = value })
+    end
+    refused("cancelled", {}, mesh.improve, mesh, { goal = 40, progress = function() return true end })
+    equal(mesh:check(), true, "check")
+end)
+
 test("a periodic box", function()
     local box_vectors = { { 4, 0, 0 }, { 1.5, 3, 0 }, { -0.75, 0.5, 2.5 } }
     local xyz, values = read("periodic_given_points", "double")

@@ -5,7 +5,7 @@
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
   tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @changes, @settings, ...
-           @domain, @periodic_box, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
+           @domain, @improvement, @periodic_box, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -272,6 +272,48 @@ function domain (folder)
   refused ("mgdt:busy", {"progress"}, @() make ("progress", @(fraction) mgdt_offending_pairs (crossing{:})));
   refused ("Octave:invalid-fun-call", {}, @() mgdt_domain_mesh ([]));
   refused ("Octave:invalid-fun-call", {}, @() mgdt_offending_pairs ([]));
+end
+
+function improvement (folder)
+  global heard
+  from_1 = @(v) v + 1;
+  tetrahedra = from_1 (read (folder, "block_given_tetrahedra", "int64", 4));
+  given = {read(folder, "block_given_points", "double", 3), tetrahedra, ...
+           "markers", read(folder, "block_given_markers", "int64", 1), ...
+           "faces", from_1(read (folder, "block_given_faces", "int64", 3)), ...
+           "face_markers", read(folder, "block_given_face_markers", "int64", 1), ...
+           "fixed", from_1(read (folder, "block_given_fixed", "int64", 1))};
+  heard = 0;
+  mesh = mgdt_improve (given{:}, "goal", 30, "boundary", "slide", "progress", @add_to_heard, "check", true);
+  assert (heard > 0);
+  for name = {"tetrahedra", 4; "faces", 3; "edges", 2; "tetrahedron_regions", 1}'
+    assert (mesh.(name{1}), from_1 (read (folder, ["block_" name{1}], "int64", name{2})));
+  end
+  for name = {"angle_histogram", 2; "tetrahedra_below", 2; "reasons", 1; "face_markers", 1}'
+    assert (mesh.(name{1}), read (folder, ["block_" name{1}], "int64", name{2}));
+  end
+  assert (mesh.points, read (folder, "block_points", "double", 3));
+  assert (mesh.shapes, read (folder, "block_shapes", "double", 2));
+  assert (! isfield (mesh, "open_edges"));
+  assert (sum (mesh.volumes), 64, 1e-9);
+  same = mgdt_improve (mesh, "goal", 30, "keep", "all");
+  assert (same.points, mesh.points);
+  assert (sort (same.region_markers), sort (mesh.region_markers));
+  again = mgdt_improve (mgdt_domain_mesh ([0 0 0; 4 0 0; 0 4 0; 0 0 4; 1 1 .1], [1 3 2; 1 2 4; 2 3 4; 3 1 4]), "check", true);
+  assert (again.shapes(1,2) >= again.shapes(1,1));
+  one = {[0 0 0; 1 0 0; 0 1 0; 0 0 1], [1 2 3 4]};
+  refused ("mgdt:invalid_argument", {"71"}, @() mgdt_improve (one{:}, "goal", 71));
+  refused ("mgdt:invalid_argument", {"boundary"}, @() mgdt_improve (one{:}, "boundary", "open"));
+  refused ("mgdt:invalid_argument", {"4 columns"}, @() mgdt_improve (one{1}, [1 2 3]));
+  refused ("mgdt:invalid_argument", {"corner 5"}, @() mgdt_improve (one{1}, [1 2 3 5]));
+  refused ("mgdt:invalid_argument", {"no tetrahedra"}, @() mgdt_improve (one{1}, zeros (0, 4)));
+  refused ("mgdt:invalid_argument", {"markers"}, @() mgdt_improve (one{:}, "markers", [1 2]));
+  refused ("mgdt:invalid_argument", {"no edge"}, @() mgdt_improve ([one{1}; 9 9 9], one{2}, "edges", [1 5]));
+  refused ("mgdt:invalid_argument", {"no value"}, @() mgdt_improve (one{:}, "goal"));
+  refused ("mgdt:unknown_key", {"goal"}, @() mgdt_improve (one{:}, "aim", 30));
+  refused ("mgdt:not_finite", {"1"}, @() mgdt_improve ([NaN 0 0], [1 1 1 1]));
+  refused ("mgdt:cancelled", {}, @() mgdt_improve (given{:}, "goal", 40, "progress", @(f) true));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_improve (one{1}));
 end
 
 function add_to_heard (fraction)

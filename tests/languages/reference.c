@@ -116,18 +116,8 @@ static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const 
     write_diagram(v, prefix);
 }
 
-/* Two cubes that share a square, one of them a hole, and a prism that is turned so far that it has
- * no tetrahedra without further points. Writes what is given and the arrays of the mesh. */
-static void export_domain(void) {
-    static const double xyz[54] = {0, 0, 0, 2,  0, 0, 2,  2,  0, 0, 2, 0,  0,  0, 2,  2, 0,  2,
-                                   2, 2, 2, 0,  2, 2, 0,  0,  4, 2, 0, 4,  2,  2, 4,  0, 2,  4,
-                                   8, 0, 9, -4, 7, 9, -4, -7, 9, 7, 4, 17, -7, 4, 17, 0, -8, 17};
-    static const int64_t corners[68] = {
-        0,  3,  2,  1,  0,  1,  5,  4,  1,  2,  6,  5,  2,  3,  7,  6,  3,  0,  4,  7,  4,  5,  6,
-        7,  4,  5,  9,  8,  5,  6,  10, 9,  6,  7,  11, 10, 7,  4,  8,  11, 8,  9,  10, 11, 12, 14,
-        13, 15, 16, 17, 12, 13, 16, 12, 16, 15, 13, 14, 17, 13, 17, 16, 14, 12, 15, 14, 15, 17};
-    static const int64_t ends[4] = {0, 1, 8, 9};
-    static const double hole[3] = {1, 1, 3}, inside[3] = {0, 0, 9.5};
+/* The arrays of a mesh. */
+static void write_mesh(const mgdt_mesh* m, const char* prefix) {
     static const struct {
         int32_t key;
         const char* name;
@@ -144,8 +134,96 @@ static void export_domain(void) {
                   {MGDT_MESH_ARRAY_EDGE_SEGMENTS, "edge_segments"},
                   {MGDT_MESH_ARRAY_EDGE_MARKERS, "edge_markers"},
                   {MGDT_MESH_ARRAY_STEINER_EDGES, "steiner_edges"},
+                  {MGDT_MESH_ARRAY_REASONS, "reasons"},
+                  {MGDT_MESH_ARRAY_ANGLE_HISTOGRAM, "angle_histogram"},
+                  {MGDT_MESH_ARRAY_TETRAHEDRA_BELOW, "tetrahedra_below"},
                   {MGDT_MESH_ARRAY_POINTS, "points"},
-                  {MGDT_MESH_ARRAY_STEINER_PARAMETERS, "steiner_parameters"}};
+                  {MGDT_MESH_ARRAY_STEINER_PARAMETERS, "steiner_parameters"},
+                  {MGDT_MESH_ARRAY_SHAPES, "shapes"}};
+    int64_t count = 0, k;
+    for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
+        char name[64];
+        void* values;
+        mgdt_status status;
+        if (mgdt_mesh_get_size(m, arrays[k].key, &count) != MGDT_OK)
+            stop("an array without a size");
+        values = room(count, 8);
+        if (arrays[k].key < MGDT_MESH_ARRAY_POINTS)
+            status = mgdt_mesh_get_array(m, arrays[k].key, count, values);
+        else
+            status = mgdt_mesh_get_doubles(m, arrays[k].key, count, values);
+        if (status != MGDT_OK) stop("an array of a mesh");
+        snprintf(name, sizeof name, "%s_%s", prefix, arrays[k].name);
+        write_file(name, values, count);
+        free(values);
+    }
+}
+
+/* The cubes of a lattice, whose inner points are moved, each of six tetrahedra. Writes what is
+ * given and the arrays of the improved mesh. */
+static void export_block(void) {
+    enum {
+        side = 4,
+        row = side + 1,
+        layer = row * row,
+        points = row * layer,
+        cubes = side * side * side
+    };
+    static const int64_t steps[6][3] = {{1, row, layer}, {1, layer, row}, {row, 1, layer},
+                                        {row, layer, 1}, {layer, 1, row}, {layer, row, 1}};
+    static double xyz[3 * points];
+    static int64_t corners[24 * cubes], markers[6 * cubes];
+    static int32_t of_tetrahedra[6 * cubes];
+    const int64_t faces[3] = {0, 1, row + 1}, of_faces[1] = {9}, fixed[1] = {points / 2};
+    const int32_t face_markers[1] = {9};
+    int64_t i, j, k, n = 0;
+    uint32_t seed = 1;
+    mgdt_mesh* m = NULL;
+    for (i = 0; i < points; ++i) {
+        const int64_t at[3] = {i % row, i / row % row, i / layer};
+        for (k = 0; k < 3; ++k) {
+            seed = seed * 1664525u + 1013904223u;
+            xyz[3 * i + k] = (double)at[k];
+            if (at[k] > 0 && at[k] < side) xyz[3 * i + k] += 0.45 * (seed / 4294967296.0 - 0.5);
+        }
+        if (at[0] == side || at[1] == side || at[2] == side) continue;
+        for (j = 0; j < 6; ++j) {
+            of_tetrahedra[n / 4] = at[2] < 2 ? 5 : 7;
+            markers[n / 4] = of_tetrahedra[n / 4];
+            corners[n++] = i;
+            for (k = 0; k < 3; ++k, ++n) corners[n] = corners[n - 1] + steps[j][k];
+        }
+    }
+    write_file("block_given_points", xyz, 3 * points);
+    write_file("block_given_tetrahedra", corners, n);
+    write_file("block_given_markers", markers, n / 4);
+    write_file("block_given_faces", faces, 3);
+    write_file("block_given_face_markers", of_faces, 1);
+    write_file("block_given_fixed", fixed, 1);
+    if (mgdt_mesh_create(&m) != MGDT_OK || mgdt_mesh_set_points(m, points, xyz) != MGDT_OK ||
+        mgdt_mesh_set_tetrahedra(m, n / 4, corners, of_tetrahedra) != MGDT_OK ||
+        mgdt_mesh_set_faces(m, 1, faces, face_markers) != MGDT_OK ||
+        mgdt_mesh_set_fixed_points(m, 1, fixed) != MGDT_OK || mgdt_mesh_build(m) != MGDT_OK ||
+        mgdt_mesh_set_option(m, MGDT_MESH_OPTION_GOAL, 30) != MGDT_OK ||
+        mgdt_mesh_set_option(m, MGDT_MESH_OPTION_BOUNDARY, MGDT_BOUNDARY_SLIDE) != MGDT_OK ||
+        mgdt_mesh_improve(m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK)
+        stop("the block was not improved");
+    write_mesh(m, "block");
+    mgdt_mesh_destroy(m);
+}
+
+/* Two cubes that share a square, one of them a hole, and a prism that is turned so far that it has
+ * no tetrahedra without further points. Writes what is given and the arrays of the mesh. */
+static void export_domain(void) {
+    static const double xyz[54] = {0, 0, 0, 2,  0, 0, 2,  2,  0, 0, 2, 0,  0,  0, 2,  2, 0,  2,
+                                   2, 2, 2, 0,  2, 2, 0,  0,  4, 2, 0, 4,  2,  2, 4,  0, 2,  4,
+                                   8, 0, 9, -4, 7, 9, -4, -7, 9, 7, 4, 17, -7, 4, 17, 0, -8, 17};
+    static const int64_t corners[68] = {
+        0,  3,  2,  1,  0,  1,  5,  4,  1,  2,  6,  5,  2,  3,  7,  6,  3,  0,  4,  7,  4,  5,  6,
+        7,  4,  5,  9,  8,  5,  6,  10, 9,  6,  7,  11, 10, 7,  4,  8,  11, 8,  9,  10, 11, 12, 14,
+        13, 15, 16, 17, 12, 13, 16, 12, 16, 15, 13, 14, 17, 13, 17, 16, 14, 12, 15, 14, 15, 17};
+    static const int64_t ends[4] = {0, 1, 8, 9};
+    static const double hole[3] = {1, 1, 3}, inside[3] = {0, 0, 9.5};
     int64_t offsets[20], markers[19], count, k;
     int32_t of_facets[19], of_segments[2] = {5, 6};
     const int32_t marker = 7;
@@ -171,22 +249,7 @@ static void export_domain(void) {
         mgdt_domain_build(d, &m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK ||
         mgdt_domain_check(d, m) != MGDT_OK)
         stop("the domain was not meshed");
-    for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
-        char name[64];
-        void* values;
-        mgdt_status status;
-        if (mgdt_mesh_get_size(m, arrays[k].key, &count) != MGDT_OK || count == 0)
-            stop("an array without elements");
-        values = room(count, 8);
-        if (arrays[k].key < MGDT_MESH_ARRAY_POINTS)
-            status = mgdt_mesh_get_array(m, arrays[k].key, count, values);
-        else
-            status = mgdt_mesh_get_doubles(m, arrays[k].key, count, values);
-        if (status != MGDT_OK) stop("an array of a mesh");
-        snprintf(name, sizeof name, "domain_%s", arrays[k].name);
-        write_file(name, values, count);
-        free(values);
-    }
+    write_mesh(m, "domain");
     if (mgdt_mesh_get_stat(m, MGDT_MESH_STAT_TETRAHEDRA, &count) != MGDT_OK) stop("a statistic");
     volumes = room(count, 8);
     if (mgdt_mesh_get_tetrahedron_measures(m, MGDT_TETRAHEDRON_VOLUME, count, volumes) != MGDT_OK)
@@ -285,6 +348,7 @@ int main(int argc, char** argv) {
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
     export_domain();
+    export_block();
     export_periodic();
     for (i = 0; i < 3 * random_points; ++i) xyz[i] = next_random(&state);
     for (i = 0; i < repeated_points; ++i)

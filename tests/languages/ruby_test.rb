@@ -214,6 +214,56 @@ class MgdtTest < Minitest::Test
     refused(Mgdt::OutOfMemory) { Mgdt::PeriodicBox.new(points, BOX, memory_limit: 5000) }
   end
 
+  def given_block
+    { points: self.class.bytes("block_given_points"),
+      tetrahedra: self.class.integers("block_given_tetrahedra", 4), markers: self.class.integers("block_given_markers"),
+      faces: self.class.integers("block_given_faces", 3), face_markers: self.class.integers("block_given_face_markers") }
+  end
+
+  def block_mesh(points:, tetrahedra:, **given, &progress) = Mgdt::Mesh.new(points, tetrahedra, **given, &progress)
+
+  def test_a_mesh
+    heard = 0
+    mesh = block_mesh(**given_block) { |fraction| heard += fraction }
+    assert_operator heard, :>, 0
+    assert_equal "#<Mgdt::Mesh: 125 points, 384 tetrahedra, 2 regions>", mesh.check.inspect
+    assert_equal [], mesh.reasons
+    heard = 0
+    improved = mesh.improve(goal: 30, boundary: :slide, fixed: self.class.integers("block_given_fixed")) do |fraction|
+      heard += fraction
+    end
+    assert_same mesh, improved
+    assert_operator heard, :>, 0
+    assert_equal 0, mesh.check.below_goal
+    { tetrahedra: 4, faces: 3, edges: 2, angle_histogram: 2, tetrahedra_below: 2 }.each do |name, width|
+      assert_equal self.class.integers("block_#{name}", width), mesh.public_send(name), name
+    end
+    %i[tetrahedron_regions region_markers face_facets face_markers edge_markers reasons].each do |name|
+      assert_equal self.class.integers("block_#{name}"), mesh.public_send(name), name
+    end
+    assert_equal self.class.doubles("block_points").each_slice(3).to_a, mesh.points
+    assert_equal self.class.doubles("block_shapes").each_slice(2).to_a, mesh.shapes
+    assert_equal [nil] * (mesh.points.size - 125), mesh.point_origins.drop(125)
+    assert_in_delta 64, mesh.tetrahedron_measures(:volume).sum, 1e-9
+    assert_raises(Mgdt::Cancelled) { mesh.improve(goal: 40) { :cancel } }
+    mesh.check
+  end
+
+  def test_what_meshes_refuse
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    refused(Mgdt::InvalidArgument, "tetrahedron 0 has the corner 4") { Mgdt::Mesh.new(points, [[0, 1, 2, 4]]) }
+    refused(Mgdt::InvalidArgument, "Arrays of 4 points") { Mgdt::Mesh.new(points, [[0, 1, 2]]) }
+    refused(Mgdt::InvalidArgument, "no tetrahedra") { Mgdt::Mesh.new(points, []) }
+    refused(Mgdt::InvalidArgument, "markers") { Mgdt::Mesh.new(points, [[0, 1, 2, 3]], markers: [1, 2]) }
+    refused(Mgdt::InvalidArgument, "no edge") { Mgdt::Mesh.new(points + [[9, 9, 9]], [[0, 1, 2, 3]], edges: [[0, 4]]) }
+    mesh = Mgdt::Mesh.new(points, [[1, 2, 3, 4]], index_base: 1)
+    refused(Mgdt::InvalidArgument, "71") { mesh.improve(goal: 71) }
+    refused(Mgdt::InvalidArgument, "there is no boundary :open; there are fixed, slide") { mesh.improve(boundary: :open) }
+    refused(Mgdt::InvalidArgument, "fixed point 1 has the corner 0") { mesh.improve(fixed: [0]) }
+    refused(Mgdt::InvalidArgument, "Array of points") { mesh.improve(fixed: 3) }
+    mesh.check
+  end
+
   def test_what_domains_refuse
     crossing = [[[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 2], [5, 1, 1]], [[0, 1, 2], [3, 4, 5]]]
     pairs = [[:facet, 0, :facet, 1]]

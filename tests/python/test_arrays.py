@@ -228,6 +228,12 @@ class Output(unittest.TestCase):
         np.testing.assert_allclose(tri.tetrahedron_measures("volume"), volumes, rtol=1e-6)
         spans = np.linalg.norm(corners[:, :, np.newaxis] - corners[:, np.newaxis], axis=3)
         np.testing.assert_allclose(tri.tetrahedron_measures("longest_edge"), spans.max(axis=(1, 2)), rtol=1e-12)
+        first, second = np.triu_indices(4, 1)
+        lengths = spans[:, first, second]
+        np.testing.assert_allclose(tri.tetrahedron_measures("edge_ratio"),
+                                   lengths.max(axis=1) / lengths.min(axis=1), rtol=1e-12)
+        means = np.sqrt((lengths**2).mean(axis=1))
+        np.testing.assert_allclose(tri.tetrahedron_measures("volume_length"), 6 * np.sqrt(2) * volumes / means**3, rtol=1e-6)
         ratios = tri.tetrahedron_measures("radius_ratio")
         self.assertTrue(((ratios > 0) & (ratios < 1)).all())
         least, largest = (tri.tetrahedron_measures(m) for m in ("least_dihedral_angle", "largest_dihedral_angle"))

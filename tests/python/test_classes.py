@@ -26,6 +26,7 @@ MAKERS: dict[str, Callable[[Progress], Any]] = {
     "PeriodicDelaunay": lambda progress: mgdt.PeriodicDelaunay(POINTS, [1] * 3, progress=progress),
     "PeriodicVoronoi": lambda progress: mgdt.PeriodicVoronoi(POINTS, [1] * 3, progress=progress),
     "DomainMesh": lambda progress: mgdt.DomainMesh(CUBE, SIDES, progress=progress),
+    "Mesh": lambda progress: mgdt.Mesh(CUBE, [[0, 1, 2, 4]], progress=progress),
 }
 
 # A child builds what takes a while twice, and is interrupted in the second build.
@@ -56,6 +57,7 @@ build = {
     "PeriodicDelaunay": lambda: mgdt.PeriodicDelaunay(points, [1] * 3),
     "PeriodicVoronoi": lambda: mgdt.PeriodicVoronoi(points, [1] * 3),
     "DomainMesh": lambda: mgdt.DomainMesh(*surface),
+    "Mesh": lambda: mgdt.Mesh(points[:5000], mgdt.Delaunay(points[:5000]).simplices).improve(40),
 }[KIND]
 begin = time.monotonic()
 build()

@@ -30,6 +30,10 @@ MAKERS: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
         lambda: mgdt.DomainMesh(TETRAHEDRON, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]),
         ("points", "simplices", "faces", "simplex_regions"),
     ),
+    "Mesh": (
+        lambda: mgdt.Mesh(TETRAHEDRON, [[0, 1, 2, 3]], markers=[4]),
+        ("points", "simplices", "faces", "region_markers"),
+    ),
 }
 
 

@@ -84,7 +84,7 @@ class Packages(unittest.TestCase):
 
     def test_pure_wheel(self):
         wheel = self.build(self.source, "--wheel")
-        self.assertEqual(wheel.name, "mgdt-1.3.0-py3-none-any.whl")
+        self.assertEqual(wheel.name, "mgdt-1.4.0-py3-none-any.whl")
         with zipfile.ZipFile(wheel) as archive:
             names = archive.namelist()
         sources = {p.name for p in (self.source / "mgdt").iterdir() if p.is_file()}
@@ -121,13 +121,13 @@ class Packages(unittest.TestCase):
 
     def test_source_distribution(self):
         archive = self.build(self.source, "--sdist")
-        self.assertEqual(archive.name, "mgdt-1.3.0.tar.gz")
+        self.assertEqual(archive.name, "mgdt-1.4.0.tar.gz")
         with tarfile.open(archive) as tar:
-            licence = tar.extractfile("mgdt-1.3.0/LICENSE").read()
+            licence = tar.extractfile("mgdt-1.4.0/LICENSE").read()
             self.assertTrue(all(m.isfile() or m.isdir() for m in tar.getmembers()))
             tar.extractall(self.folder / "sdist")
         self.assertEqual(licence, (SOURCE / "LICENSE").read_bytes())
-        wheel = self.build(self.folder / "sdist" / "mgdt-1.3.0", "--wheel")
+        wheel = self.build(self.folder / "sdist" / "mgdt-1.4.0", "--wheel")
         self.use(self.install(wheel), MGDT_LIBRARY=LIBRARY)
 
     def test_meson_installs_every_file(self):

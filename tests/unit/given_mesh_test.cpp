@@ -9,6 +9,7 @@
 #include <random>
 
 #include "improvable_meshes.hpp"
+#include "improvement/flexible_mesh.hpp"
 #include "mesh_volumes.hpp"
 
 namespace mgdt {
@@ -57,21 +58,30 @@ TEST(GivenMesh, IsThatOfTheDomain) {
         Shuffled given(expected, ++seed);
         Allocator memory;
         SolidMesh mesh(memory);
-        link_mesh(given.mesh, 0, memory, mesh);
-        EXPECT_TRUE(std::equal(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
-                               expected.tetrahedra.begin(), expected.tetrahedra.end()));
-        EXPECT_TRUE(std::equal(mesh.neighbors.begin(), mesh.neighbors.end(),
-                               expected.neighbors.begin(), expected.neighbors.end()));
+        link_mesh(given.mesh, 0, memory, Unwatched(), mesh);
         ASSERT_EQ(mesh.region_markers.size(), expected.region_markers.size());
-        for (std::size_t t = 0; t < mesh.tetrahedron_count(); ++t)
-            ASSERT_EQ(mesh.region_markers[mesh.regions[t]],
-                      static_cast<std::int32_t>(expected.regions[t]) - 1);
+        for (std::size_t t = 0; t < mesh.tetrahedron_count(); ++t) {
+            ASSERT_TRUE(std::is_permutation(mesh.tetrahedra.begin() + 4 * t,
+                                            mesh.tetrahedra.begin() + 4 * t + 4,
+                                            given.mesh.tetrahedra.begin() + 4 * t));
+            ASSERT_EQ(mesh.region_markers[mesh.regions[t]], given.mesh.tetrahedron_markers[t]);
+        }
+        ASSERT_TRUE(
+            std::equal(given.mesh.faces.begin(), given.mesh.faces.end(), mesh.faces.begin()));
+        ASSERT_TRUE(std::equal(given.mesh.face_markers.begin(), given.mesh.face_markers.end(),
+                               mesh.face_markers.begin()));
         expect_equal_volumes(mesh);
         try {
             check_mesh(mesh, 0, memory, Unwatched());
         } catch (const Error& e) {
             ADD_FAILURE() << e.message;
         }
+        // The mesh that is written back is sorted.
+        FlexibleMesh(mesh, memory).write(mesh);
+        EXPECT_TRUE(std::equal(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
+                               expected.tetrahedra.begin(), expected.tetrahedra.end()));
+        EXPECT_TRUE(std::equal(mesh.neighbors.begin(), mesh.neighbors.end(),
+                               expected.neighbors.begin(), expected.neighbors.end()));
     });
 }
 
@@ -82,23 +92,26 @@ TEST(GivenMesh, JoinsFacesInOnePlane) {
     Shuffled given(domain.mesh(), 1);
     Allocator memory;
     SolidMesh mesh(memory);
-    link_mesh(given.mesh, 0, memory, mesh);
+    link_mesh(given.mesh, 0, memory, Unwatched(), mesh);
     EXPECT_EQ(mesh.planar_facets, 6u);
     EXPECT_EQ(mesh.edges.size() / 2, 36u);
     // Without the caller's faces those at the end of the mesh are found.
     given.mesh.faces.clear();
     given.mesh.face_markers.clear();
     SolidMesh bare(memory);
-    link_mesh(given.mesh, 0, memory, bare);
+    link_mesh(given.mesh, 0, memory, Unwatched(), bare);
     EXPECT_EQ(bare.planar_facets, 6u);
     EXPECT_EQ(bare.face_facets.size(), mesh.face_facets.size());
     // An edge of the caller's inside of a side stays, and has its marker.
-    given.mesh.edges.push_back(bare.faces[0]);
     given.mesh.edges.push_back(bare.faces[1]);
+    given.mesh.edges.push_back(bare.faces[0]);
     given.mesh.edge_markers.push_back(-5);
     SolidMesh edged(memory);
-    link_mesh(given.mesh, 0, memory, edged);
+    link_mesh(given.mesh, 0, memory, Unwatched(), edged);
     EXPECT_EQ(std::count(edged.edge_markers.begin(), edged.edge_markers.end(), -5), 1);
+    EXPECT_EQ(edged.edge_markers[0], -5);
+    EXPECT_EQ(edged.edge_segments[0], 0u);
+    EXPECT_EQ(edged.edges[0], bare.faces[1]);
     EXPECT_GE(edged.edges.size(), bare.edges.size());
 }
 
@@ -117,7 +130,7 @@ class Refusals : public testing::Test {
     }
     void expect(const char* message) {
         SolidMesh refused(memory);
-        const Error error = error_of([&] { link_mesh(given, 1, memory, refused); });
+        const Error error = error_of([&] { link_mesh(given, 1, memory, Unwatched(), refused); });
         EXPECT_EQ(error.status, MGDT_ERR_INVALID_ARGUMENT);
         EXPECT_STREQ(error.message, message);
     }
@@ -128,7 +141,7 @@ class Refusals : public testing::Test {
 using GivenMeshRefusals = Refusals;
 
 TEST_F(GivenMeshRefusals, TwoTetrahedraAreAMesh) {
-    link_mesh(given, 1, memory, mesh);
+    link_mesh(given, 1, memory, Unwatched(), mesh);
     EXPECT_EQ(mesh.face_facets.size(), 6u);
     EXPECT_EQ(mesh.unused_points.size(), 2u);
     // The faces in the planes x = 0 and y = 0 continue each other at one edge each.

@@ -10,6 +10,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <random>
 
 #include "../support/small.h"
@@ -23,8 +24,13 @@ using Row = std::array<Rational, 3>;
 using Points = std::array<std::array<double, 3>, 4>;
 using M = TetrahedronMeasure;
 
-constexpr M all_measures[] = {M::volume, M::radius_ratio, M::least_dihedral_angle,
-                              M::largest_dihedral_angle, M::longest_edge};
+constexpr M all_measures[] = {M::volume,
+                              M::radius_ratio,
+                              M::volume_length,
+                              M::least_dihedral_angle,
+                              M::largest_dihedral_angle,
+                              M::longest_edge,
+                              M::edge_ratio};
 
 Row minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     Row r;
@@ -47,12 +53,21 @@ Rational volume6(const Points& p) {
 
 // The measure by its definition, from other formulas than the library's.
 Float expected(const Points& p, M measure) {
-    Rational longest = 0;
+    Rational longest = 0, shortest = -1, sum = 0;
     for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j)
-            longest = std::max(longest, dot(minus(p[i], p[j]), minus(p[i], p[j])));
+        for (std::size_t j = i + 1; j < 4; ++j) {
+            const Rational square = dot(minus(p[i], p[j]), minus(p[i], p[j]));
+            longest = std::max(longest, square);
+            shortest = shortest < 0 ? square : std::min(shortest, square);
+            sum += square;
+        }
     if (measure == M::longest_edge) return root(longest);
+    if (measure == M::edge_ratio) return root(longest / shortest);
     if (measure == M::volume) return Float(volume6(p)) / 6;
+    if (measure == M::volume_length) {
+        const Float mean = root(sum / 6);
+        return sqrt(Float(2)) * Float(volume6(p)) / (mean * mean * mean);
+    }
     if (measure == M::radius_ratio) {
         // Three times the volume over the area of the surface; the circumradius by Cramer's rule.
         Float surface = 0;
@@ -131,6 +146,8 @@ TEST(TetrahedronMeasures, OfARegularOne) {
     EXPECT_NEAR(measured(p, M::least_dihedral_angle), std::acos(1.0 / 3), 1e-14);
     EXPECT_NEAR(measured(p, M::largest_dihedral_angle), std::acos(1.0 / 3), 1e-14);
     EXPECT_NEAR(measured(p, M::longest_edge), std::sqrt(8), 1e-14);
+    EXPECT_NEAR(measured(p, M::volume_length), 1, 1e-14);
+    EXPECT_NEAR(measured(p, M::edge_ratio), 1, 1e-14);
 }
 
 TEST(TetrahedronMeasures, OfOrdinaryOnes) {
@@ -203,7 +220,8 @@ TEST(TetrahedronMeasures, DependOnNeitherOrderNorScale) {
 // The least volume of what doubles measure matters: flatter ones are off by more than the bound.
 TEST(TetrahedronMeasures, FlatterOnesAreNotForDoubles) {
     std::mt19937 draw(5);
-    double worst[5] = {};
+    constexpr std::size_t count = std::size(all_measures);
+    double worst[count] = {};
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < std::max(fewer(400), 80); ++i) {
         Points p = random_points(draw, 1);
@@ -215,25 +233,31 @@ TEST(TetrahedronMeasures, FlatterOnesAreNotForDoubles) {
             const double z = .28 * x[1] - .96 * x[2], y = .96 * x[1] + .28 * x[2];
             x = {.6 * x[0] - .8 * y, .8 * x[0] + .6 * y, z + x[0]};
         }
-        for (std::size_t m = 0; m < 5; ++m) {
+        for (std::size_t m = 0; m < count; ++m) {
             const double* const q[4] = {p[0].data(), p[1].data(), p[2].data(), p[3].data()};
             double x = 0;
-            const Float exact = expected(p, all_measures[m]);
-            const bool is_angle = m == 2 || m == 3;
+            const M measure = all_measures[m];
+            const Float exact = expected(p, measure);
+            const bool is_angle =
+                measure == M::least_dihedral_angle || measure == M::largest_dihedral_angle;
             const auto error = [&] {
                 return static_cast<double>(abs(Float(x) - exact) / (is_angle ? Float(1) : exact));
             };
-            const double least =
-                m == 0 ? exact::least_volume_for_volumes : exact::least_volume_in_doubles;
-            if (exact::measure_in_doubles(q, 0, all_measures[m], x, least)) {
+            const double least = measure == M::volume ? exact::least_volume_for_volumes
+                                                      : exact::least_volume_in_doubles;
+            if (exact::measure_in_doubles(q, 0, measure, x, least)) {
                 EXPECT_LE(error(), tetrahedron_measure_error);
             }
-            if (exact::measure_in_doubles(q, 0, all_measures[m], x, 0))
+            if (exact::measure_in_doubles(q, 0, measure, x, 0))
                 worst[m] = std::max(worst[m], error());
         }
     }
-    for (std::size_t m = 0; m < 4; ++m) EXPECT_GT(worst[m], tetrahedron_measure_error) << m;
-    EXPECT_LE(worst[4], tetrahedron_measure_error);
+    for (std::size_t m = 0; m < count; ++m) {
+        if (all_measures[m] == M::longest_edge || all_measures[m] == M::edge_ratio)
+            EXPECT_LE(worst[m], tetrahedron_measure_error) << m;
+        else
+            EXPECT_GT(worst[m], tetrahedron_measure_error) << m;
+    }
 }
 
 }  // namespace

@@ -136,5 +136,23 @@ local function choice(value, names, what)
     return small(value, what)
 end
 
+-- Whole numbers of a table, as an array of an element type.
+local function list_of(values, what, element)
+    local array = ffi.new(element .. "[?]", #values)
+    for k, value in ipairs(values) do
+        array[k - 1] = (element == "int32_t" and small or whole)(value, ("%s[%d]"):format(what, k))
+    end
+    return array
+end
+
+local function markers_of(markers, n, what)
+    if markers == nil then return nil end
+    if type(markers) ~= "table" or #markers ~= n then
+        bad_argument("%s must be a table of %d numbers", what, n)
+    end
+    return list_of(markers, what, "int32_t")
+end
+
 return { raise = raise, bad_argument = bad_argument, raiser = raiser, whole = whole, real = real,
-    small = small, choice = choice, shape_of = shape_of, rows_of = rows_of }
+    small = small, choice = choice, shape_of = shape_of, rows_of = rows_of, list_of = list_of,
+    markers_of = markers_of }

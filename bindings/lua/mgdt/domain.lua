@@ -6,12 +6,13 @@ local C = require "mgdt.library"
 local constants = require "mgdt.interface"
 local arguments = require "mgdt.arguments"
 local keyed = require "mgdt.keyed"
+local meshes = require "mgdt.mesh"
 
 local status = constants.status
 local raise, bad_argument = arguments.raise, arguments.bad_argument
 local whole, small, rows_of, shape_of = arguments.whole, arguments.small, arguments.rows_of, arguments.shape_of
-local choice = arguments.choice
-local of_domain, of_mesh = keyed.of "domain", keyed.of "mesh"
+local list_of, markers_of = arguments.list_of, arguments.markers_of
+local of_domain = keyed.of "domain"
 local ensure = of_domain.ensure
 
 local kinds = {}
@@ -33,15 +34,6 @@ local function ensure_valid(handle, value)
     local good, problem = pcall(ensure, handle, value)
     if not good then problem.pairs = found end
     error(problem, 0)
-end
-
--- Whole numbers of a table, as an array of an element type.
-local function list_of(values, what, element)
-    local array = ffi.new(element .. "[?]", #values)
-    for k, value in ipairs(values) do
-        array[k - 1] = (element == "int32_t" and small or whole)(value, ("%s[%d]"):format(what, k))
-    end
-    return array
 end
 
 -- Facets: lists of corners of any lengths, or an FFI array of int32_t with three for each.
@@ -67,14 +59,6 @@ local function facets_of(facets, base)
         offsets[k] = base + #corners
     end
     return #facets, offsets, list_of(corners, "the corners of facets", "int64_t")
-end
-
-local function markers_of(markers, n, what)
-    if markers == nil then return nil end
-    if type(markers) ~= "table" or #markers ~= n then
-        bad_argument("%s must be a table of %d numbers", what, n)
-    end
-    return list_of(markers, what, "int32_t")
 end
 
 -- Places as rows, one after another.
@@ -141,34 +125,12 @@ local function build(handle, progress)
 end
 jit.off(build, true)
 
-local Mesh = {}
-Mesh.__index = Mesh
-
---- Proves the mesh, and compares it with the facets and segments, exactly. True, or nil and what is wrong.
-function Mesh:check()
-    local value = C.mgdt_mesh_check(self.handle)
-    if value == status.check_failed then return nil, of_mesh.message_of(self.handle, value) end
-    of_mesh.ensure(self.handle, value)
-    value = C.mgdt_domain_check(self.domain, self.handle)
-    if value == status.check_failed then return nil, of_domain.message_of(self.domain, value) end
-    ensure(self.domain, value)
+-- Proves the mesh, and, until it is improved, compares it with the facets and segments.
+local function check(mesh)
+    local value = C.mgdt_domain_check(mesh.domain, mesh.handle)
+    if value == status.check_failed then return nil, of_domain.message_of(mesh.domain, value) end
+    ensure(mesh.domain, value)
     return true
-end
-
---- A measure of each tetrahedron: "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle" or
---- "longest_edge"; and the number of tetrahedra.
-function Mesh:tetrahedron_measures(measure)
-    local key = choice(measure, constants.tetrahedron, "the measure")
-    local x = ffi.new("double[?]", self.tetrahedron_count)
-    of_mesh.ensure(self.handle,
-        C.mgdt_mesh_get_tetrahedron_measures(self.handle, key, self.tetrahedron_count, x))
-    return x, self.tetrahedron_count
-end
-jit.off(Mesh.tetrahedron_measures)
-
-function Mesh:__tostring()
-    return ("mgdt domain mesh: %d points, %d tetrahedra, %d regions"):format(self.point_count,
-        self.tetrahedron_count, self.region_count)
 end
 
 local domain = {}
@@ -182,23 +144,18 @@ local domain = {}
 --- open_edges, with [k][0] and so on, and point_origins, tetrahedron_regions, region_markers, face_facets,
 --- face_markers, edge_segments, edge_markers and steiner_parameters; mgdt/mgdt_mesh.h says what they are.
 --- point_count, tetrahedron_count, region_count, face_count, edge_count and steiner_count say how many
---- there are, and is_rounded whether points are rounded. check() proves the mesh.
+--- there are, and is_rounded whether points are rounded. check() proves the mesh, and improve() makes its tetrahedra
+--- better, as that of mesh() does.
 ---
 --- If facets, segments or points cross or touch where they must not, the error is named
 --- "invalid_boundary" and has `pairs`, as offending_pairs() gives them. If the facets enclose nothing, it
 --- is "open_boundary". Since 1.3.
 function domain.domain_mesh(given)
     local handle = domain_of(given)
-    local mesh = { domain = handle, handle = build(handle, given.progress) }
-    for name in pairs(constants.mesh_array) do mesh[name] = of_mesh.get(mesh.handle, name) end
+    local mesh = meshes.take(build(handle, given.progress), "domain mesh", check)
+    mesh.domain = handle
     mesh.open_edges = of_domain.get(handle, "open_edges")
-    for _, name in ipairs { "point", "tetrahedron", "region", "face", "edge" } do
-        local plural = name == "tetrahedron" and "tetrahedra" or name .. "s"
-        mesh[name .. "_count"] = of_mesh.statistic(mesh.handle, plural)
-    end
-    mesh.steiner_count = of_mesh.statistic(mesh.handle, "steiner_points")
-    mesh.is_rounded = of_mesh.statistic(mesh.handle, "is_rounded") == 1
-    return setmetatable(mesh, Mesh)
+    return mesh
 end
 
 --- All pairs of facets, segments and points that do not meet in common corners and edges, exactly:

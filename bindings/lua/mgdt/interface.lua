@@ -154,12 +154,31 @@ int32_t mgdt_voronoi_get_doubles(const mgdt_voronoi *v, int32_t array, int64_t c
                                  double *values);
 int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double least_area, double least_share);
 int32_t mgdt_voronoi_get_error(const mgdt_voronoi *v, int64_t capacity, char *buffer);
+int32_t mgdt_mesh_create(mgdt_mesh **out);
+int32_t mgdt_mesh_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
+                                        mgdt_mesh **out);
 void mgdt_mesh_destroy(mgdt_mesh *m);
 int32_t mgdt_mesh_set_option(mgdt_mesh *m, int32_t option, int64_t value);
 int32_t mgdt_mesh_get_option(const mgdt_mesh *m, int32_t option, int64_t *value);
 int32_t mgdt_mesh_set_progress(mgdt_mesh *m, mgdt_progress_fn fn, void *user);
 int32_t mgdt_mesh_get_progress(const mgdt_mesh *m, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_mesh_cancel(mgdt_mesh *m);
+int32_t mgdt_mesh_set_points(mgdt_mesh *m, int64_t n, const double *xyz);
+int32_t mgdt_mesh_set_tetrahedra(mgdt_mesh *m, int64_t n, const int64_t *corners,
+                                 const int32_t *markers);
+int32_t mgdt_mesh_set_tetrahedra_i32(mgdt_mesh *m, int64_t n, const int32_t *corners,
+                                     const int32_t *markers);
+int32_t mgdt_mesh_set_faces(mgdt_mesh *m, int64_t n, const int64_t *corners,
+                            const int32_t *markers);
+int32_t mgdt_mesh_set_faces_i32(mgdt_mesh *m, int64_t n, const int32_t *corners,
+                                const int32_t *markers);
+int32_t mgdt_mesh_set_edges(mgdt_mesh *m, int64_t n, const int64_t *ends, const int32_t *markers);
+int32_t mgdt_mesh_set_edges_i32(mgdt_mesh *m, int64_t n, const int32_t *ends,
+                                const int32_t *markers);
+int32_t mgdt_mesh_set_fixed_points(mgdt_mesh *m, int64_t n, const int64_t *points);
+int32_t mgdt_mesh_set_fixed_points_i32(mgdt_mesh *m, int64_t n, const int32_t *points);
+int32_t mgdt_mesh_build(mgdt_mesh *m);
+int32_t mgdt_mesh_improve(mgdt_mesh *m);
 int32_t mgdt_mesh_get_stat(const mgdt_mesh *m, int32_t key, int64_t *value);
 int32_t mgdt_mesh_array_info(int32_t array, int32_t *columns, int32_t *is_double);
 int32_t mgdt_mesh_get_size(const mgdt_mesh *m, int32_t array, int64_t *size);
@@ -257,8 +276,8 @@ return {
         memory_bytes = 70, peak_memory_bytes = 71 },
     check = { combinatorial = 1, geometric = 2, canonical = 3 },
     measure = { volume = 10, area = 20, centroid = 30, faces = 40 },
-    tetrahedron = { volume = 10, radius_ratio = 20, least_dihedral_angle = 30,
-        largest_dihedral_angle = 31, longest_edge = 40 },
+    tetrahedron = { volume = 10, radius_ratio = 20, volume_length = 21, edge_ratio = 22,
+        least_dihedral_angle = 30, largest_dihedral_angle = 31, longest_edge = 40 },
     method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
     outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
     voronoi_stat = { vertices = 100, rays = 101, faces = 102, points = 103, memory_bytes = 110 },
@@ -267,15 +286,21 @@ return {
         cell_neighbors = 223, cell_neighbor_shifts = 224, vertices = 300, ray_directions = 310,
         face_areas = 320, face_normals = 321, face_centroids = 322, cell_volumes = 330,
         cell_centroids = 331, cell_face_areas = 332, cell_neighbor_distances = 333 },
-    mesh_option = { index_base = 10, threads = 20, memory_limit = 30 },
+    mesh_option = { index_base = 10, threads = 20, memory_limit = 30, goal = 40, boundary = 41,
+        points = 42, mean_passes = 43, most_passes = 44 },
+    boundary = { fixed = 0, slide = 1 },
+    points = { keep = 0, move = 1, remove = 2 },
     mesh_stat = { points = 100, steiner_points = 101, tetrahedra = 102, regions = 103, faces = 104,
-        edges = 105, memory_bytes = 110, is_rounded = 120, grid_bits = 121, unused_points = 130,
-        unused_faces = 131, unused_regions = 132, unused_holes = 133, planar_facets = 140,
-        missing_facets = 141, cavities = 142, largest_cavity = 143 },
+        edges = 105, memory_bytes = 110, is_rounded = 120, is_delaunay = 122, grid_bits = 121,
+        unused_points = 130, unused_faces = 131, unused_regions = 132, unused_holes = 133,
+        planar_facets = 140, missing_facets = 141, cavities = 142, largest_cavity = 143,
+        below_goal = 150, passes = 151, moved_points = 152, removed_points = 153 },
+    reason = { none = 0, input_angle = 1, thin_face = 2, fixed_corners = 3, other = 4 },
     mesh_array = { point_origins = 200, tetrahedra = 210, neighbors = 211,
         tetrahedron_regions = 212, region_markers = 220, faces = 230, face_tetrahedra = 231,
         face_facets = 232, face_markers = 233, edges = 240, edge_segments = 241, edge_markers = 242,
-        steiner_edges = 250, points = 300, steiner_parameters = 310 },
+        steiner_edges = 250, reasons = 260, angle_histogram = 261, tetrahedra_below = 262,
+        points = 300, steiner_parameters = 310, shapes = 320 },
     domain_kind = { facet = 0, segment = 1, point = 2 },
     domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40,
         strict = 50 },

@@ -22,6 +22,7 @@ from .alpha import AlphaShape
 from .delaunay import Delaunay
 from .domain import DomainMesh, InvalidBoundary, OffendingPair, OpenBoundary, offending_pairs
 from .interpolation import Interpolator
+from .mesh import Improvement, Mesh
 from .parallel import ParallelDelaunay
 from .periodic import PeriodicDelaunay, PeriodicVoronoi
 from .scattered import (
@@ -42,9 +43,11 @@ __all__ = [
     "Delaunay",
     "DomainMesh",
     "Error",
+    "Improvement",
     "Interpolator",
     "InvalidBoundary",
     "LinearNDInterpolator",
+    "Mesh",
     "NaturalNeighborInterpolator",
     "NearestNDInterpolator",
     "NotBuiltError",
@@ -64,7 +67,7 @@ __all__ = [
     "offending_pairs",
 ]
 
-__version__ = "1.3.0"
+__version__ = "1.4.0"
 
 ORDER_SCHEMES = tuple(_handle.ORDER_SCHEMES)
 """Names of the order schemes, for the parameter ``order`` of `Delaunay`."""
@@ -74,7 +77,7 @@ QhullError = Error
 
 
 def library_version() -> str:
-    """Version of the library in use, such as "1.3.0". Since 1.0."""
+    """Version of the library in use, such as "1.4.0". Since 1.0."""
     return _library.text(_library.library.mgdt_version_string())
 
 

@@ -28,8 +28,10 @@ def build(
     progress: Optional[Callable[[float], Any]],
     size: int,
     change: Callable[[], None] = lambda: None,
+    function: str = "build",
 ) -> None:
-    """Makes a change and builds what has some number of points, and reports progress.
+    """Makes a change and builds what has some number of points, or calls another function of the
+    handle, and reports progress.
 
     Waits for those who read. What stops the build is raised when it has ended: what the progress
     function raised, or a signal's handler.
@@ -46,7 +48,7 @@ def build(
             report = PROGRESS(insertion.report)
             handle.call("set_progress", report, None)
             try:
-                handle.call("build")
+                handle.call(function)
             finally:
                 insertion.detach()
                 handle.quiet("set_progress", _library.NO_PROGRESS, None)

@@ -340,7 +340,9 @@ class Delaunay(GrowingTriangulation):
             "volume"; "radius_ratio", 3 times the radius of the inscribed sphere over that of the
             circumsphere, which is 1 for a regular tetrahedron and near 0 for a flat one;
             "least_dihedral_angle" or "largest_dihedral_angle" of the six dihedral angles, in radians; or
-            "longest_edge", its length.
+            "longest_edge", its length; since 1.4 "volume_length", 6 sqrt(2) times the volume over the
+            third power of the root mean square of the edges, and "edge_ratio", the longest edge over
+            the shortest one.
 
         Returns
         -------

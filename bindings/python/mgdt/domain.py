@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import copy
 import ctypes
 from ctypes import c_void_p
 from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
@@ -12,13 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _errors
-from ._arrays import FloatArray, IndexArray, address, as_array, as_points
+from ._arrays import IndexArray, address, as_array, as_points
 from ._building import build
 from ._gate import Gate, interruptibly
 from ._insertion import SHORT
 from ._interface import CONSTANTS
 from ._keyed import Keyed
-from .export import to_meshio, to_pyvista
+from .mesh import Mesh, MeshHandle, integers, markers_of
 
 Facets = Union[ArrayLike, Sequence[Sequence[int]]]
 
@@ -58,24 +57,10 @@ class OpenBoundary(_errors.Error, ValueError):
     edges: IndexArray
 
 
-def _integers(values: Any, name: str, columns: Optional[int] = None) -> NDArray[np.int64]:
-    array = as_array(values, name)
-    if array.size == 0:
-        array = array.astype(np.int64)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} must be integers, not {array.dtype}")
-    if columns is not None and array.size == 0:
-        array = array.reshape(0, columns)
-    if array.ndim != (1 if columns is None else 2) or (columns and array.shape[1] != columns):
-        shape = "(n,)" if columns is None else f"(n, {columns})"
-        raise ValueError(f"{name} must have the shape {shape}, not {array.shape}")
-    return np.ascontiguousarray(array, np.int64)
-
-
 def _lists(facets: Facets) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Offsets and corners of facets: rows of an array, or lists of any lengths."""
     if not isinstance(facets, np.ndarray) and len({len(f) for f in facets}) > 1:  # type: ignore
-        corners = _integers([v for f in facets for v in f], "facets")  # type: ignore
+        corners = integers([v for f in facets for v in f], "facets")  # type: ignore
         sizes = [len(f) for f in facets]  # type: ignore
         offsets = np.zeros(len(sizes) + 1, np.int64)
         np.cumsum(sizes, out=offsets[1:])
@@ -85,37 +70,15 @@ def _lists(facets: Facets) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         return np.zeros(1, np.int64), np.empty(0, np.int64)
     if array.ndim != 2:
         raise ValueError(f"facets must have the shape (n, corners), not {array.shape}")
-    rows = _integers(array, "facets", array.shape[1])
+    rows = integers(array, "facets", array.shape[1])
     return np.arange(len(rows) + 1, dtype=np.int64) * rows.shape[1], rows.reshape(-1)
-
-
-def _markers(values: Optional[ArrayLike], n: int, name: str) -> Optional[NDArray[np.int32]]:
-    if values is None:
-        return None
-    wide = _integers(values, name)
-    if wide.shape != (n,):
-        raise ValueError(f"{name} must have the shape ({n},), not {wide.shape}")
-    if n and (wide.min() < -(1 << 31) or wide.max() >= 1 << 31):
-        raise ValueError(f"{name} must fit 32-bit integers")
-    return wide.astype(np.int32)
-
-
-class _Mesh(Keyed):
-    """A mesh of the library."""
-
-    kind = "mesh"
-
-    def measures(self, name: str) -> FloatArray:
-        values = np.empty(self.statistic("tetrahedra"))
-        self.call("get_tetrahedron_measures", CONSTANTS["tetrahedron"][name], values.size, address(values))
-        return values
 
 
 class _Domain(Keyed):
     """A domain of the library, and the mesh of its last build."""
 
     kind = "domain"
-    mesh: _Mesh
+    mesh: MeshHandle
 
     def __init__(self) -> None:
         super().__init__(self._create())
@@ -126,7 +89,7 @@ class _Domain(Keyed):
         pointer = c_void_p()
         status = super().quiet(name, ctypes.byref(pointer))
         if status == _errors.OK:
-            self.mesh = _Mesh(pointer)
+            self.mesh = MeshHandle(pointer)
         return status
 
     def error(self, status: int, message: str) -> BaseException:
@@ -154,7 +117,7 @@ class _Domain(Keyed):
         self.call("set_points", len(rows), address(rows))
         offsets, corners = _lists(facets)
         n = len(offsets) - 1
-        of_facets = _markers(markers, n, "markers")
+        of_facets = markers_of(markers, n, "markers")
         self.call(
             "set_facets",
             n,
@@ -162,8 +125,8 @@ class _Domain(Keyed):
             address(corners),
             None if of_facets is None else address(of_facets),
         )
-        ends = _integers([] if segments is None else segments, "segments", 2)
-        of_segments = _markers(segment_markers, len(ends), "segment_markers")
+        ends = integers([] if segments is None else segments, "segments", 2)
+        of_segments = markers_of(segment_markers, len(ends), "segment_markers")
         self.call(
             "set_segments",
             len(ends),
@@ -182,7 +145,7 @@ class _Domain(Keyed):
             if places
             else np.empty((0, 3))
         )
-        values = _markers([marker for _, marker in regions], len(rows), "the markers of regions")
+        values = markers_of([marker for _, marker in regions], len(rows), "the markers of regions")
         self.call("set_regions", len(rows), address(rows), None if values is None else address(values))
 
     def pairs(self) -> list[OffendingPair]:
@@ -229,7 +192,7 @@ def offending_pairs(
     return []
 
 
-class DomainMesh:
+class DomainMesh(Mesh):
     """Tetrahedra that fill what facets enclose.
 
     Every facet is a union of faces of the mesh, and every segment a union of edges. The mesh is the
@@ -327,7 +290,7 @@ class DomainMesh:
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
-        self._given = copy.deepcopy(
+        self._keep(
             {
                 "points": points,
                 "facets": facets,
@@ -351,91 +314,13 @@ class DomainMesh:
         handle.set_places(holes, regions)
         # A small surface may need many points.
         build(handle, Gate(), progress, SHORT)
-        mesh = self._mesh = handle.mesh
-        self.points: FloatArray = mesh.array("points")
-        self.point_origins: IndexArray = mesh.array("point_origins")
-        self.simplices: IndexArray = mesh.array("tetrahedra")
-        self.neighbors: IndexArray = mesh.array("neighbors")
-        self.simplex_regions: IndexArray = mesh.array("tetrahedron_regions")
-        self.region_markers: IndexArray = mesh.array("region_markers")
-        self.faces: IndexArray = mesh.array("faces")
-        self.face_simplices: IndexArray = mesh.array("face_tetrahedra")
-        self.face_facets: IndexArray = mesh.array("face_facets")
-        self.face_markers: IndexArray = mesh.array("face_markers")
-        self.edges: IndexArray = mesh.array("edges")
-        self.edge_segments: IndexArray = mesh.array("edge_segments")
-        self.edge_markers: IndexArray = mesh.array("edge_markers")
-        self.steiner_edges: IndexArray = mesh.array("steiner_edges")
-        self.steiner_parameters: FloatArray = mesh.array("steiner_parameters")
         self.open_edges: IndexArray = handle.array("open_edges")
-        self.is_rounded = mesh.statistic("is_rounded") == 1
-        self.unused_points = mesh.statistic("unused_points")
-        self.unused_faces = mesh.statistic("unused_faces")
-        self.unused_regions = mesh.statistic("unused_regions")
-        self.unused_holes = mesh.statistic("unused_holes")
+        self._take(handle.mesh)
 
-    @property
-    def npoints(self) -> int:
-        """The number of points, Steiner points included."""
-        return len(self.points)
-
-    @property
-    def nsimplex(self) -> int:
-        """The number of tetrahedra."""
-        return len(self.simplices)
-
-    # Copies are built again from what was given, and share nothing with the original.
-
-    def __getstate__(self) -> dict[str, Any]:
-        return self._given
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        DomainMesh.__init__(self, **state)
-
-    def check(self) -> None:
-        """Proves the mesh against the facets and segments, exactly.
-
-        Raises
-        ------
-        CheckFailed
-            If it has a defect. The message says what and where.
-        """
-        def check(_: Callable[[], bool]) -> None:
-            self._mesh.call("check")
+    def _prove(self) -> None:
+        super()._prove()
+        # What has been improved is no longer the mesh of the domain alone.
+        if self._mesh.statistic("is_delaunay"):
             self._domain.call("check", self._mesh.pointer)
 
-        interruptibly(check, True)
-
-    def tetrahedron_measures(self, measure: str) -> FloatArray:
-        """A measure of each tetrahedron, as `Delaunay.tetrahedron_measures` has it.
-
-        Parameters
-        ----------
-        measure : "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle" or "longest_edge"
-        """
-        if measure not in CONSTANTS["tetrahedron"]:
-            known = ", ".join(CONSTANTS["tetrahedron"])
-            raise ValueError(f"there is no measure {measure!r} of tetrahedra; there are {known}")
-        return interruptibly(lambda _: self._mesh.measures(measure), True)
-
-    def to_meshio(self) -> Any:
-        """Points, tetrahedra and faces as a ``meshio.Mesh``. Cell data "marker" has the markers of the
-        regions of tetrahedra, and those of faces."""
-        return to_meshio(self, [("triangle", self.faces)], self._cell_data())
-
-    def to_pyvista(self) -> Any:
-        """Points and tetrahedra as a ``pyvista.UnstructuredGrid``, with the markers of regions as the
-        cell data "marker"."""
-        grid = to_pyvista(self)
-        grid.cell_data["marker"] = self._cell_data()["marker"][0]
-        return grid
-
-    def _cell_data(self) -> dict[str, list[Any]]:
-        return {"marker": [self.region_markers[self.simplex_regions], self.face_markers]}
-
-    def __repr__(self) -> str:
-        n = len(self.region_markers)
-        return (
-            f"<mgdt.DomainMesh: {len(self.points)} points, {len(self.simplices)} tetrahedra, "
-            f"{n} region{'' if n == 1 else 's'}>"
-        )
+    _keep_at_first = "all"

@@ -20,6 +20,7 @@ require_relative "mgdt/array_reader"
 require_relative "mgdt/progress"
 require_relative "mgdt/triangulation"
 require_relative "mgdt/voronoi"
+require_relative "mgdt/mesh"
 require_relative "mgdt/domain"
 require_relative "mgdt/periodic"
 

@@ -3,7 +3,7 @@
 class Mgdt < Formula
   desc "Exact 3D Delaunay triangulation of any set of points"
   homepage "https://mgdt.example"
-  url "https://mgdt.example/mgdt-1.3.0.tar.gz"
+  url "https://mgdt.example/mgdt-1.4.0.tar.gz"
   sha256 "0000000000000000000000000000000000000000000000000000000000000000"
   license "MIT"
 

@@ -8,11 +8,11 @@ class Mgdt(MesonPackage):
     C++, Lua, Octave, Python, Ruby and Rust, and a program."""
 
     homepage = "https://mgdt.example"
-    url = "https://mgdt.example/mgdt-1.3.0.tar.gz"
+    url = "https://mgdt.example/mgdt-1.4.0.tar.gz"
 
     license("MIT")
 
-    version("1.3.0", sha256="0000000000000000000000000000000000000000000000000000000000000000")
+    version("1.4.0", sha256="0000000000000000000000000000000000000000000000000000000000000000")
 
     variant("program", default=True, description="Build the program mgdt")
     variant("mpi", default=False, description="Build libmgdt_mpi, one triangulation on the ranks of MPI")

@@ -94,7 +94,9 @@ enum class TetrahedronMeasure : std::int32_t {
     radius_ratio = MGDT_TETRAHEDRON_RADIUS_RATIO,
     least_dihedral_angle = MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE,
     largest_dihedral_angle = MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE,
-    longest_edge = MGDT_TETRAHEDRON_LONGEST_EDGE
+    longest_edge = MGDT_TETRAHEDRON_LONGEST_EDGE,
+    volume_length = MGDT_TETRAHEDRON_VOLUME_LENGTH, /**< @since 1.4 */
+    edge_ratio = MGDT_TETRAHEDRON_EDGE_RATIO        /**< @since 1.4 */
 };
 
 /** How a value between points is made; see MGDT_INTERPOLATE_LINEAR and its neighbours. @since 1.2
@@ -194,7 +196,12 @@ enum class DomainArray : std::int32_t {
 enum class MeshOption : std::int32_t {
     index_base = MGDT_MESH_OPTION_INDEX_BASE,
     threads = MGDT_MESH_OPTION_THREADS,
-    memory_limit = MGDT_MESH_OPTION_MEMORY_LIMIT
+    memory_limit = MGDT_MESH_OPTION_MEMORY_LIMIT,
+    goal = MGDT_MESH_OPTION_GOAL,               /**< @since 1.4 */
+    boundary = MGDT_MESH_OPTION_BOUNDARY,       /**< @since 1.4 */
+    points = MGDT_MESH_OPTION_POINTS,           /**< @since 1.4 */
+    mean_passes = MGDT_MESH_OPTION_MEAN_PASSES, /**< @since 1.4 */
+    most_passes = MGDT_MESH_OPTION_MOST_PASSES  /**< @since 1.4 */
 };
 
 /** Statistics of a mesh; see MGDT_MESH_STAT_POINTS and its neighbours. @since 1.3 */
@@ -207,6 +214,7 @@ enum class MeshStatistic : std::int32_t {
     edges = MGDT_MESH_STAT_EDGES,
     memory_bytes = MGDT_MESH_STAT_MEMORY_BYTES,
     is_rounded = MGDT_MESH_STAT_IS_ROUNDED,
+    is_delaunay = MGDT_MESH_STAT_IS_DELAUNAY, /**< @since 1.4 */
     grid_bits = MGDT_MESH_STAT_GRID_BITS,
     unused_points = MGDT_MESH_STAT_UNUSED_POINTS,
     unused_faces = MGDT_MESH_STAT_UNUSED_FACES,
@@ -215,7 +223,11 @@ enum class MeshStatistic : std::int32_t {
     planar_facets = MGDT_MESH_STAT_PLANAR_FACETS,
     missing_facets = MGDT_MESH_STAT_MISSING_FACETS,
     cavities = MGDT_MESH_STAT_CAVITIES,
-    largest_cavity = MGDT_MESH_STAT_LARGEST_CAVITY
+    largest_cavity = MGDT_MESH_STAT_LARGEST_CAVITY,
+    below_goal = MGDT_MESH_STAT_BELOW_GOAL,        /**< @since 1.4 */
+    passes = MGDT_MESH_STAT_PASSES,                /**< @since 1.4 */
+    moved_points = MGDT_MESH_STAT_MOVED_POINTS,    /**< @since 1.4 */
+    removed_points = MGDT_MESH_STAT_REMOVED_POINTS /**< @since 1.4 */
 };
 
 /** Arrays of integers of a mesh; see MGDT_MESH_ARRAY_POINT_ORIGINS and its neighbours. @since 1.3
@@ -233,13 +245,17 @@ enum class MeshArray : std::int32_t {
     edges = MGDT_MESH_ARRAY_EDGES,
     edge_segments = MGDT_MESH_ARRAY_EDGE_SEGMENTS,
     edge_markers = MGDT_MESH_ARRAY_EDGE_MARKERS,
-    steiner_edges = MGDT_MESH_ARRAY_STEINER_EDGES
+    steiner_edges = MGDT_MESH_ARRAY_STEINER_EDGES,
+    reasons = MGDT_MESH_ARRAY_REASONS,                  /**< @since 1.4 */
+    angle_histogram = MGDT_MESH_ARRAY_ANGLE_HISTOGRAM,  /**< @since 1.4 */
+    tetrahedra_below = MGDT_MESH_ARRAY_TETRAHEDRA_BELOW /**< @since 1.4 */
 };
 
 /** Arrays of doubles of a mesh; see MGDT_MESH_ARRAY_POINTS and its neighbours. @since 1.3 */
 enum class MeshDoubles : std::int32_t {
     points = MGDT_MESH_ARRAY_POINTS,
-    steiner_parameters = MGDT_MESH_ARRAY_STEINER_PARAMETERS
+    steiner_parameters = MGDT_MESH_ARRAY_STEINER_PARAMETERS,
+    shapes = MGDT_MESH_ARRAY_SHAPES /**< @since 1.4 */
 };
 
 /** Options of a periodic box; see MGDT_PERIODIC_OPTION_INDEX_BASE and its neighbours. @since 1.3 */

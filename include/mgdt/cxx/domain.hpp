@@ -71,7 +71,7 @@ class Domain : public detail::Results<detail::DomainCalls> {
      *  @param markers  one for each, or none
      *  @throw OutOfMemory, Error */
     void set_triangles(Span<const std::int64_t> corners, Span<const std::int32_t> markers = {}) {
-        require_size(corners.size() % 3 == 0, "triangles have three corners each");
+        detail::require_size(corners.size() % 3 == 0, "triangles have three corners each");
         set_facets(corners.size() / 3, nullptr, corners, markers);
     }
     /** Sets polygons as facets; mgdt_domain_set_facets().
@@ -79,9 +79,9 @@ class Domain : public detail::Results<detail::DomainCalls> {
      *  @throw OutOfMemory, Error */
     void set_facets(Span<const std::int64_t> offsets, Span<const std::int64_t> corners,
                     Span<const std::int32_t> markers = {}) {
-        require_size(offsets.size() > 0, "there are no offsets");
+        detail::require_size(offsets.size() > 0, "there are no offsets");
         const std::int64_t last = offsets.data()[offsets.size() - 1];
-        require_size(
+        detail::require_size(
             last - option(DomainOption::index_base) == static_cast<std::int64_t>(corners.size()),
             "the last offset is not the end of the corners");
         set_facets(offsets.size() - 1, offsets.data(), corners, markers);
@@ -91,8 +91,8 @@ class Domain : public detail::Results<detail::DomainCalls> {
      *  @param markers  one for each, or none
      *  @throw OutOfMemory, Error */
     void set_segments(Span<const std::int64_t> ends, Span<const std::int32_t> markers = {}) {
-        require_size(ends.size() % 2 == 0, "segments have two ends each");
-        require_markers(ends.size() / 2, markers);
+        detail::require_size(ends.size() % 2 == 0, "segments have two ends each");
+        detail::require_markers(ends.size() / 2, markers);
         require(mgdt_domain_set_segments(get(), static_cast<std::int64_t>(ends.size() / 2),
                                          ends.data(),
                                          markers.size() > 0 ? markers.data() : nullptr));
@@ -101,7 +101,7 @@ class Domain : public detail::Results<detail::DomainCalls> {
      *  @param markers  one for each place, or none
      *  @throw OutOfMemory, Error */
     void set_regions(Points places, Span<const std::int32_t> markers = {}) {
-        require_markers(places.count(), markers);
+        detail::require_markers(places.count(), markers);
         require(mgdt_domain_set_regions(get(), static_cast<std::int64_t>(places.count()),
                                         places.data(),
                                         markers.size() > 0 ? markers.data() : nullptr));
@@ -129,16 +129,9 @@ class Domain : public detail::Results<detail::DomainCalls> {
     void check(const Mesh& mesh) const { require(mgdt_domain_check(get(), mesh.handle())); }
 
   private:
-    static void require_size(bool is_right, const char* what) {
-        if (!is_right) throw Error(MGDT_ERR_INVALID_ARGUMENT, what);
-    }
-    static void require_markers(std::size_t n, Span<const std::int32_t> markers) {
-        require_size(markers.size() == 0 || markers.size() == n,
-                     "there is not one marker for each");
-    }
     void set_facets(std::size_t n, const std::int64_t* offsets, Span<const std::int64_t> corners,
                     Span<const std::int32_t> markers) {
-        require_markers(n, markers);
+        detail::require_markers(n, markers);
         require(mgdt_domain_set_facets(get(), static_cast<std::int64_t>(n), offsets, corners.data(),
                                        markers.size() > 0 ? markers.data() : nullptr));
     }

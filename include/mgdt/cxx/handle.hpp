@@ -25,6 +25,14 @@ class Voronoi;
 
 namespace detail {
 
+// Checks the sizes of arrays that belong together.
+inline void require_size(bool is_right, const char* what) {
+    if (!is_right) throw Error(MGDT_ERR_INVALID_ARGUMENT, what);
+}
+inline void require_markers(std::size_t n, Span<const std::int32_t> markers) {
+    require_size(markers.size() == 0 || markers.size() == n, "there is not one marker for each");
+}
+
 // The message of the last call that failed on a handle.
 template <class Handle>
 std::string message_of(mgdt_status (*get_error)(const Handle*, std::int64_t, char*),

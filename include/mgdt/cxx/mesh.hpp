@@ -3,13 +3,16 @@
 #ifndef MGDT_CXX_MESH_HPP
 #define MGDT_CXX_MESH_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "../mgdt_mesh.h"
 #include "constants.hpp"
+#include "error.hpp"
 #include "handle.hpp"
+#include "views.hpp"
 
 namespace mgdt {
 inline namespace cxx1 {
@@ -38,15 +41,67 @@ struct MeshCalls {
 
 }  // namespace detail
 
-/** A mesh of tetrahedra, which Domain::build() makes; see mgdt_mesh.h. It can be moved, not copied.
+/** A mesh of tetrahedra, which Domain::build() makes, or build(); see mgdt_mesh.h. It can be moved,
+ *  not copied.
  *  Options, statistics and arrays: mgdt_mesh_set_option(), mgdt_mesh_get_option(),
  *  mgdt_mesh_get_stat(), mgdt_mesh_array_info(), mgdt_mesh_get_size(), mgdt_mesh_get_array() and
  *  mgdt_mesh_get_doubles(). @since 1.3 */
 class Mesh : public detail::Results<detail::MeshCalls> {
   public:
+    /** Makes a mesh without tetrahedra; mgdt_mesh_create(). @throw OutOfMemory, Error @since 1.4 */
+    Mesh() : Mesh(nullptr, nullptr, nullptr) {}
+    /** Makes a mesh that takes all its memory from `alloc`; mgdt_mesh_create_with_allocator().
+     *  Neither function may throw. @throw OutOfMemory, Error @since 1.4 */
+    Mesh(mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
+        make([&](mgdt_mesh** out) {
+            return mgdt_mesh_create_with_allocator(alloc, give_back, user, out);
+        });
+    }
     /** Takes ownership of a handle of the C interface. */
     explicit Mesh(mgdt_mesh* owned) noexcept : Results(owned) {}
     friend void swap(Mesh& a, Mesh& b) noexcept { a.swap_with(b); }
+
+    /** mgdt_mesh_set_points(). @throw OutOfMemory, Error @since 1.4 */
+    void set_points(Points points) {
+        require(
+            mgdt_mesh_set_points(get(), static_cast<std::int64_t>(points.count()), points.data()));
+    }
+    /** mgdt_mesh_set_tetrahedra().
+     *  @param corners  four for each
+     *  @param markers  one for each, or none
+     *  @throw OutOfMemory, Error
+     *  @since 1.4 */
+    void set_tetrahedra(Span<const std::int64_t> corners, Span<const std::int32_t> markers = {}) {
+        set_items(mgdt_mesh_set_tetrahedra, 4, corners, markers);
+    }
+    /** mgdt_mesh_set_faces().
+     *  @param corners  three for each
+     *  @param markers  one for each, or none
+     *  @throw OutOfMemory, Error
+     *  @since 1.4 */
+    void set_faces(Span<const std::int64_t> corners, Span<const std::int32_t> markers = {}) {
+        set_items(mgdt_mesh_set_faces, 3, corners, markers);
+    }
+    /** mgdt_mesh_set_edges().
+     *  @param ends     two for each
+     *  @param markers  one for each, or none
+     *  @throw OutOfMemory, Error
+     *  @since 1.4 */
+    void set_edges(Span<const std::int64_t> ends, Span<const std::int32_t> markers = {}) {
+        set_items(mgdt_mesh_set_edges, 2, ends, markers);
+    }
+    /** mgdt_mesh_set_fixed_points(). @throw OutOfMemory, Error @since 1.4 */
+    void set_fixed_points(Span<const std::int64_t> points) {
+        require(mgdt_mesh_set_fixed_points(get(), static_cast<std::int64_t>(points.size()),
+                                           points.data()));
+    }
+
+    /** mgdt_mesh_build(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
+     *  throws @since 1.4 */
+    void build() { require(mgdt_mesh_build(get())); }
+    /** mgdt_mesh_improve(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
+     *  throws @since 1.4 */
+    void improve() { require(mgdt_mesh_improve(get())); }
 
     /** The points: those that were set, then the Steiner points. @throw Error, std::bad_alloc (the
      *  vector's) */
@@ -62,6 +117,17 @@ class Mesh : public detail::Results<detail::MeshCalls> {
     /** mgdt_mesh_check(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws */
     void check() const { require(mgdt_mesh_check(get())); }
+
+  private:
+    template <class Set>
+    void set_items(Set set, std::size_t each, Span<const std::int64_t> corners,
+                   Span<const std::int32_t> markers) {
+        const std::size_t n = corners.size() / each;
+        detail::require_size(corners.size() % each == 0, "the last one lacks corners");
+        detail::require_markers(n, markers);
+        require(set(get(), static_cast<std::int64_t>(n), corners.data(),
+                    markers.size() > 0 ? markers.data() : nullptr));
+    }
 };
 
 }  // namespace cxx1

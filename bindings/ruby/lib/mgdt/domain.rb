@@ -10,23 +10,9 @@ module Mgdt
   #   mesh.tetrahedra   # => [[0, 1, 2, 3]]
   #
   # mgdt/mgdt_domain.h says what goes in, and mgdt/mgdt_mesh.h what comes out.
-  class DomainMesh
-    # Arrays of rows: corners, ends, coordinates.
-    attr_reader :points, :tetrahedra, :faces, :edges, :steiner_edges
-    # The tetrahedra next to each tetrahedron, and to each face; nil where the domain ends.
-    attr_reader :neighbors, :face_tetrahedra
-    # The point that was given that each point is, of equal ones the first; nil for Steiner points.
-    attr_reader :point_origins
-    # The region of each tetrahedron, and the marker of each region.
-    attr_reader :tetrahedron_regions, :region_markers
-    # The facet of each face, and its marker.
-    attr_reader :face_facets, :face_markers
-    # The segment that was given, or nil, of each of the edges, and its marker, or 0.
-    attr_reader :edge_segments, :edge_markers
+  class DomainMesh < Mesh
     # The ends of each edge that one facet alone has, and this facet.
     attr_reader :open_edges
-    # The t for which a Steiner point is a + t (b - a).
-    attr_reader :steiner_parameters
 
     # Points as for Triangulation#insert; facets as Arrays of corners. Further arguments, all optional:
     # markers of facets; segments, [a, b] each, and segment_markers; holes, [x, y, z] each; regions,
@@ -38,60 +24,16 @@ module Mgdt
     # If the facets enclose nothing, the error is OpenBoundary.
     def initialize(points, facets, rounded: false, **given, &progress)
       @domain = GivenDomain.new(points, facets, rounded: rounded, **given)
-      @handle = @domain.build(progress)
-      @mesh = ArrayReader.new(:mesh, @handle)
-      read
-    end
-
-    # A mesh of the library, which is destroyed when it is collected.
-    class Handle < FFI::AutoPointer
-      def self.release(pointer)
-        Library.mgdt_mesh_destroy(pointer)
-      end
-    end
-    private_constant :Handle
-
-    # Whether points are rounded.
-    def rounded? = @mesh.statistic(:is_rounded) == 1
-
-    # Proves the mesh, and compares it with the facets and segments, exactly. CheckFailed says what is
-    # wrong.
-    def check
-      @mesh.call(:check)
-      @domain.reader.call(:check, @handle)
-      self
-    end
-
-    # A measure of each tetrahedron: :volume, :radius_ratio, :least_dihedral_angle, :largest_dihedral_angle or :longest_edge.
-    def tetrahedron_measures(measure)
-      key = CONSTANTS[:tetrahedron].fetch(measure.to_sym) do
-        raise InvalidArgument.new("there is no measure #{measure.inspect} of tetrahedra", 11)
-      end
-      values = FFI::MemoryPointer.new(:double, [@tetrahedra.size, 1].max)
-      @mesh.call(:get_tetrahedron_measures, key, @tetrahedra.size, values)
-      values.read_array_of_double(@tetrahedra.size)
-    end
-
-    def inspect
-      "#<Mgdt::DomainMesh: #{@points.size} points, #{@tetrahedra.size} tetrahedra, " \
-        "#{@region_markers.size} regions>"
+      take(@domain.build(progress), @domain.index_base)
+      @open_edges = @domain.reader.array(:open_edges)
     end
 
     private
 
-    # Arrays in which the index base - 1 means none.
-    WITH_NONE = %i[point_origins neighbors face_tetrahedra edge_segments steiner_edges].freeze
-    private_constant :WITH_NONE
-
-    def read
-      none = @domain.index_base - 1
-      CONSTANTS[:mesh_array].each_key do |name|
-        values = @mesh.array(name)
-        values = values.map { |v| v.is_a?(Array) ? v.map { |k| k unless k == none } : (v unless v == none) } if
-          WITH_NONE.include?(name)
-        instance_variable_set(:"@#{name}", values)
-      end
-      @open_edges = @domain.reader.array(:open_edges)
+    def prove
+      super
+      # What has been improved is no longer the mesh of the domain alone.
+      @domain.reader.call(:check, @handle) if @mesh.statistic(:is_delaunay) == 1
     end
   end
 
@@ -103,6 +45,8 @@ module Mgdt
 
   # A handle with everything that a caller has given.
   class GivenDomain
+    include GivenItems
+
     attr_reader :reader, :index_base
 
     # A handle that is destroyed when it is collected.
@@ -142,7 +86,7 @@ module Mgdt
                else
                  @reader.ask(:build, out)
                end
-      return DomainMesh.const_get(:Handle).new(out.read_pointer) if status.zero?
+      return MeshHandle.new(out.read_pointer) if status.zero?
 
       error = @reader.error_of(status)
       error.pairs = pairs if error.is_a?(InvalidBoundary)
@@ -157,28 +101,6 @@ module Mgdt
 
     private
 
-    def argument(message) = InvalidArgument.new(message, 11)
-
-    def whole(value, name, bits = 63)
-      return value if value.is_a?(Integer) && value >= -(1 << bits) && value < 1 << bits
-
-      raise argument("#{name} is #{value.inspect}; it must be an Integer of #{bits + 1} bits")
-    end
-
-    def packed(values, name)
-      values.each { |value| whole(value, name) }
-      values.pack("q*")
-    end
-
-    def markers(values, count, name)
-      return if values.nil?
-      raise argument("#{name} must be an Array of #{count} numbers") unless
-        values.is_a?(Array) && values.size == count
-
-      values.each { |value| whole(value, name, 31) }
-      values.pack("l*")
-    end
-
     def facets(lists, of_facets)
       raise argument("facets must be an Array of Arrays of corners") unless
         lists.is_a?(Array) && lists.all?(Array)
@@ -189,10 +111,7 @@ module Mgdt
     end
 
     def segments(pairs, of_segments)
-      raise argument("segments must be an Array of [a, b]") unless
-        pairs.is_a?(Array) && pairs.all? { |pair| pair.is_a?(Array) && pair.size == 2 }
-
-      @reader.call(:set_segments, pairs.size, packed(pairs.flatten(1), "an end of a segment"),
+      @reader.call(:set_segments, pairs.size, packed_rows(pairs, 2, "segments"),
                    markers(of_segments, pairs.size, "segment_markers"))
     end
 

@@ -307,7 +307,7 @@ module Mgdt
     end
 
     # A measure of each tetrahedron: :volume, :radius_ratio, :least_dihedral_angle, :largest_dihedral_angle (dihedral, in
-    # radians) or :longest_edge. Since 1.3.
+    # radians) or :longest_edge; since 1.4 :volume_length or :edge_ratio. Since 1.3.
     def tetrahedron_measures(measure)
       key = choice(measure, TETRAHEDRON_MEASURES, "the measure")
       with_handle do |handle|

@@ -120,6 +120,8 @@ pub const MGDT_MEASURE_FACES: i32 = 40;
 
 pub const MGDT_TETRAHEDRON_VOLUME: i32 = 10;
 pub const MGDT_TETRAHEDRON_RADIUS_RATIO: i32 = 20;
+pub const MGDT_TETRAHEDRON_VOLUME_LENGTH: i32 = 21;
+pub const MGDT_TETRAHEDRON_EDGE_RATIO: i32 = 22;
 pub const MGDT_TETRAHEDRON_LEAST_DIHEDRAL_ANGLE: i32 = 30;
 pub const MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE: i32 = 31;
 pub const MGDT_TETRAHEDRON_LONGEST_EDGE: i32 = 40;
@@ -164,6 +166,18 @@ pub const MGDT_VORONOI_ARRAY_CELL_NEIGHBOR_DISTANCES: i32 = 333;
 pub const MGDT_MESH_OPTION_INDEX_BASE: i32 = 10;
 pub const MGDT_MESH_OPTION_THREADS: i32 = 20;
 pub const MGDT_MESH_OPTION_MEMORY_LIMIT: i32 = 30;
+pub const MGDT_MESH_OPTION_GOAL: i32 = 40;
+pub const MGDT_MESH_OPTION_BOUNDARY: i32 = 41;
+pub const MGDT_MESH_OPTION_POINTS: i32 = 42;
+pub const MGDT_MESH_OPTION_MEAN_PASSES: i32 = 43;
+pub const MGDT_MESH_OPTION_MOST_PASSES: i32 = 44;
+
+pub const MGDT_BOUNDARY_FIXED: i32 = 0;
+pub const MGDT_BOUNDARY_SLIDE: i32 = 1;
+
+pub const MGDT_POINTS_KEEP: i32 = 0;
+pub const MGDT_POINTS_MOVE: i32 = 1;
+pub const MGDT_POINTS_REMOVE: i32 = 2;
 
 pub const MGDT_MESH_STAT_POINTS: i32 = 100;
 pub const MGDT_MESH_STAT_STEINER_POINTS: i32 = 101;
@@ -173,6 +187,7 @@ pub const MGDT_MESH_STAT_FACES: i32 = 104;
 pub const MGDT_MESH_STAT_EDGES: i32 = 105;
 pub const MGDT_MESH_STAT_MEMORY_BYTES: i32 = 110;
 pub const MGDT_MESH_STAT_IS_ROUNDED: i32 = 120;
+pub const MGDT_MESH_STAT_IS_DELAUNAY: i32 = 122;
 pub const MGDT_MESH_STAT_GRID_BITS: i32 = 121;
 pub const MGDT_MESH_STAT_UNUSED_POINTS: i32 = 130;
 pub const MGDT_MESH_STAT_UNUSED_FACES: i32 = 131;
@@ -182,6 +197,16 @@ pub const MGDT_MESH_STAT_PLANAR_FACETS: i32 = 140;
 pub const MGDT_MESH_STAT_MISSING_FACETS: i32 = 141;
 pub const MGDT_MESH_STAT_CAVITIES: i32 = 142;
 pub const MGDT_MESH_STAT_LARGEST_CAVITY: i32 = 143;
+pub const MGDT_MESH_STAT_BELOW_GOAL: i32 = 150;
+pub const MGDT_MESH_STAT_PASSES: i32 = 151;
+pub const MGDT_MESH_STAT_MOVED_POINTS: i32 = 152;
+pub const MGDT_MESH_STAT_REMOVED_POINTS: i32 = 153;
+
+pub const MGDT_REASON_NONE: i32 = 0;
+pub const MGDT_REASON_INPUT_ANGLE: i32 = 1;
+pub const MGDT_REASON_THIN_FACE: i32 = 2;
+pub const MGDT_REASON_FIXED_CORNERS: i32 = 3;
+pub const MGDT_REASON_OTHER: i32 = 4;
 
 pub const MGDT_MESH_ARRAY_POINT_ORIGINS: i32 = 200;
 pub const MGDT_MESH_ARRAY_TETRAHEDRA: i32 = 210;
@@ -196,8 +221,12 @@ pub const MGDT_MESH_ARRAY_EDGES: i32 = 240;
 pub const MGDT_MESH_ARRAY_EDGE_SEGMENTS: i32 = 241;
 pub const MGDT_MESH_ARRAY_EDGE_MARKERS: i32 = 242;
 pub const MGDT_MESH_ARRAY_STEINER_EDGES: i32 = 250;
+pub const MGDT_MESH_ARRAY_REASONS: i32 = 260;
+pub const MGDT_MESH_ARRAY_ANGLE_HISTOGRAM: i32 = 261;
+pub const MGDT_MESH_ARRAY_TETRAHEDRA_BELOW: i32 = 262;
 pub const MGDT_MESH_ARRAY_POINTS: i32 = 300;
 pub const MGDT_MESH_ARRAY_STEINER_PARAMETERS: i32 = 310;
+pub const MGDT_MESH_ARRAY_SHAPES: i32 = 320;
 
 pub const MGDT_DOMAIN_KIND_FACET: i32 = 0;
 pub const MGDT_DOMAIN_KIND_SEGMENT: i32 = 1;
@@ -651,6 +680,13 @@ extern "C" {
         capacity: i64,
         buffer: *mut c_char,
     ) -> mgdt_status;
+    pub fn mgdt_mesh_create(out: *mut *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_create_with_allocator(
+        alloc: mgdt_alloc_fn,
+        release: mgdt_free_fn,
+        user: *mut c_void,
+        out: *mut *mut mgdt_mesh,
+    ) -> mgdt_status;
     pub fn mgdt_mesh_destroy(m: *mut mgdt_mesh);
     pub fn mgdt_mesh_set_option(m: *mut mgdt_mesh, option: i32, value: i64) -> mgdt_status;
     pub fn mgdt_mesh_get_option(m: *const mgdt_mesh, option: i32, value: *mut i64) -> mgdt_status;
@@ -665,6 +701,51 @@ extern "C" {
         user: *mut *mut c_void,
     ) -> mgdt_status;
     pub fn mgdt_mesh_cancel(m: *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_set_points(m: *mut mgdt_mesh, n: i64, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_mesh_set_tetrahedra(
+        m: *mut mgdt_mesh,
+        n: i64,
+        corners: *const i64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_tetrahedra_i32(
+        m: *mut mgdt_mesh,
+        n: i64,
+        corners: *const i32,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_faces(
+        m: *mut mgdt_mesh,
+        n: i64,
+        corners: *const i64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_faces_i32(
+        m: *mut mgdt_mesh,
+        n: i64,
+        corners: *const i32,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_edges(
+        m: *mut mgdt_mesh,
+        n: i64,
+        ends: *const i64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_edges_i32(
+        m: *mut mgdt_mesh,
+        n: i64,
+        ends: *const i32,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_fixed_points(m: *mut mgdt_mesh, n: i64, points: *const i64) -> mgdt_status;
+    pub fn mgdt_mesh_set_fixed_points_i32(
+        m: *mut mgdt_mesh,
+        n: i64,
+        points: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_build(m: *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_improve(m: *mut mgdt_mesh) -> mgdt_status;
     pub fn mgdt_mesh_get_stat(m: *const mgdt_mesh, key: i32, value: *mut i64) -> mgdt_status;
     pub fn mgdt_mesh_array_info(array: i32, columns: *mut i32, is_double: *mut i32) -> mgdt_status;
     pub fn mgdt_mesh_get_size(m: *const mgdt_mesh, array: i32, size: *mut i64) -> mgdt_status;

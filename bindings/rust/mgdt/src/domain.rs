@@ -91,7 +91,7 @@ impl fmt::Debug for Domain {
     }
 }
 
-fn ensure_markers(markers: Option<&[i32]>, n: usize) -> Result<*const i32, Error> {
+pub(crate) fn ensure_markers(markers: Option<&[i32]>, n: usize) -> Result<*const i32, Error> {
     match markers {
         None => Ok(ptr::null()),
         Some(markers) if markers.len() == n => Ok(markers.as_ptr()),

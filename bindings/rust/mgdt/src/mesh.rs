@@ -2,10 +2,12 @@
 //! Meshes of tetrahedra.
 
 use crate::keyed::{Calls, Keyed};
-use crate::triangulation::as_i64;
+use crate::domain::ensure_markers;
+use crate::triangulation::{as_i64, status_text, watched};
 use crate::{Error, ErrorKind, TetrahedronMeasure};
 use mgdt_sys as sys;
 use std::fmt;
+use std::ops::ControlFlow;
 use std::ptr;
 
 /// Arrays of integers of a [`Mesh`]. In them "none" is [`NONE`](crate::NONE).
@@ -39,6 +41,14 @@ pub enum MeshArray {
     EdgeMarkers = sys::MGDT_MESH_ARRAY_EDGE_MARKERS,
     /// The two ends of the edge that each Steiner point divides.
     SteinerEdges = sys::MGDT_MESH_ARRAY_STEINER_EDGES,
+    /// Why each tetrahedron is below the goal of the last improvement, a [`Reason`] as a number. Since 1.4.
+    Reasons = sys::MGDT_MESH_ARRAY_REASONS,
+    /// 18 rows, before and after the improvement: how many dihedral angles are from 0 to 10 degrees, 10 to 20
+    /// and so on. Since 1.4.
+    AngleHistogram = sys::MGDT_MESH_ARRAY_ANGLE_HISTOGRAM,
+    /// Six rows, before and after: how many tetrahedra have an angle below 5, 10, 15, 20, 25 and 30 degrees.
+    /// Since 1.4.
+    TetrahedraBelow = sys::MGDT_MESH_ARRAY_TETRAHEDRA_BELOW,
 }
 
 /// Arrays of doubles of a [`Mesh`].
@@ -50,6 +60,50 @@ pub enum MeshDoubles {
     Points = sys::MGDT_MESH_ARRAY_POINTS,
     /// For each Steiner point the t for which it is a + t (b - a).
     SteinerParameters = sys::MGDT_MESH_ARRAY_STEINER_PARAMETERS,
+    /// Three rows, before and after the improvement: the least and the largest dihedral angle, in degrees,
+    /// and the mean shape. Since 1.4.
+    Shapes = sys::MGDT_MESH_ARRAY_SHAPES,
+}
+
+/// What an improvement may do to faces and edges that the mesh lists. Since 1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Boundary {
+    /// They stay as they are.
+    Fixed = sys::MGDT_BOUNDARY_FIXED,
+    /// The surface stays, but its points move within facets and along straight edges.
+    Slide = sys::MGDT_BOUNDARY_SLIDE,
+}
+
+/// What an improvement may do to the points that were set. Since 1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum GivenPoints {
+    /// They stay where they are.
+    Keep = sys::MGDT_POINTS_KEEP,
+    /// They may move.
+    Move = sys::MGDT_POINTS_MOVE,
+    /// They may move, and may become points of no tetrahedron.
+    Remove = sys::MGDT_POINTS_REMOVE,
+}
+
+/// Why a tetrahedron is below the goal of an improvement. Since 1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Reason {
+    /// It reaches the goal.
+    None = sys::MGDT_REASON_NONE,
+    /// Two of its faces are parts of facets with a smaller angle between them.
+    InputAngle = sys::MGDT_REASON_INPUT_ANGLE,
+    /// It is at a corner of a face of a facet that has a smaller angle itself.
+    ThinFace = sys::MGDT_REASON_THIN_FACE,
+    /// None of its corners may move.
+    FixedCorners = sys::MGDT_REASON_FIXED_CORNERS,
+    /// Anything else.
+    Other = sys::MGDT_REASON_OTHER,
 }
 
 /// Statistics of a [`Mesh`].
@@ -89,10 +143,31 @@ pub enum MeshStatistic {
     Cavities = sys::MGDT_MESH_STAT_CAVITIES,
     /// The most tetrahedra in one of them.
     LargestCavity = sys::MGDT_MESH_STAT_LARGEST_CAVITY,
+    /// Tetrahedra that the last improvement has left below the goal. Since 1.4.
+    BelowGoal = sys::MGDT_MESH_STAT_BELOW_GOAL,
+    /// Its passes over tetrahedra below the goal. Since 1.4.
+    Passes = sys::MGDT_MESH_STAT_PASSES,
+    /// Points that were set and that it has moved. Since 1.4.
+    MovedPoints = sys::MGDT_MESH_STAT_MOVED_POINTS,
+    /// Points that were set and have lost all of their tetrahedra. Since 1.4.
+    RemovedPoints = sys::MGDT_MESH_STAT_REMOVED_POINTS,
 }
 
 /// A mesh of tetrahedra, which [`Domain::build`](crate::Domain::build) makes and which outlives the
-/// domain. Since 1.3.
+/// domain, or which [`build`](Mesh::build) makes of tetrahedra that were set. Since 1.3.
+///
+/// ```
+/// # fn main() -> Result<(), mgdt::Error> {
+/// let mut m = mgdt::Mesh::new()?;
+/// m.set_points(&[[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.], [0.2, 0.3, 0.2]])?;
+/// m.set_tetrahedra(&[[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]], None)?;
+/// m.build()?;
+/// m.improve()?;
+/// let shapes = m.doubles(mgdt::MeshDoubles::Shapes)?;
+/// assert!(shapes[0] < 5. && shapes[1] > 25.);
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// `mgdt/mgdt_mesh.h` says what its arrays have.
 pub struct Mesh {
@@ -136,6 +211,15 @@ impl Keyed for Mesh {
 }
 
 impl Mesh {
+    /// Makes a mesh without tetrahedra. Since 1.4.
+    pub fn new() -> Result<Mesh, Error> {
+        let mut out = ptr::null_mut();
+        match unsafe { sys::mgdt_mesh_create(&mut out) } {
+            sys::MGDT_OK => Mesh::of_raw(out),
+            status => Err(Error::of_status(status, status_text(status))),
+        }
+    }
+
     /// Takes ownership of a handle.
     pub(crate) fn of_raw(out: *mut sys::mgdt_mesh) -> Result<Mesh, Error> {
         match ptr::NonNull::new(out) {
@@ -152,6 +236,99 @@ impl Mesh {
     /// Limits the memory that the mesh may hold, in bytes; None for no limit.
     pub fn set_memory_limit(&mut self, bytes: Option<usize>) -> Result<(), Error> {
         self.set_limit(sys::MGDT_MESH_OPTION_MEMORY_LIMIT, bytes)
+    }
+
+    /// The goal of [`improve`](Mesh::improve) for the dihedral angles, in degrees up to 70; 25 at first. Since 1.4.
+    pub fn set_goal(&mut self, degrees: u32) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_GOAL, i64::from(degrees))
+    }
+
+    /// What [`improve`](Mesh::improve) may do to faces and edges; at first they are fixed. Since 1.4.
+    pub fn set_boundary(&mut self, boundary: Boundary) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_BOUNDARY, boundary as i64)
+    }
+
+    /// What [`improve`](Mesh::improve) may do to the points that were set. Since 1.4.
+    pub fn set_given_points(&mut self, points: GivenPoints) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_POINTS, points as i64)
+    }
+
+    /// Passes that move all points for the mean of the shapes; 3 at first. Since 1.4.
+    pub fn set_mean_passes(&mut self, passes: u32) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_MEAN_PASSES, i64::from(passes))
+    }
+
+    /// The most passes over tetrahedra below the goal; 100 at first. Since 1.4.
+    pub fn set_most_passes(&mut self, passes: u32) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_MOST_PASSES, i64::from(passes))
+    }
+
+    /// Sets the points. Tetrahedra, faces, edges and fixed points that were set before are removed. Since 1.4.
+    pub fn set_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
+        self.ensure(unsafe {
+            sys::mgdt_mesh_set_points(self.raw(), as_i64(points.len()), points.as_ptr().cast())
+        })
+    }
+
+    /// Sets the tetrahedra. Without markers all are 0; those with one marker form a region. Since 1.4.
+    pub fn set_tetrahedra(&mut self, corners: &[[usize; 4]], markers: Option<&[i32]>) -> Result<(), Error> {
+        self.set_items(sys::mgdt_mesh_set_tetrahedra, corners, markers)
+    }
+
+    /// Sets faces that the mesh keeps. Since 1.4.
+    pub fn set_faces(&mut self, corners: &[[usize; 3]], markers: Option<&[i32]>) -> Result<(), Error> {
+        self.set_items(sys::mgdt_mesh_set_faces, corners, markers)
+    }
+
+    /// Sets edges that the mesh keeps. Since 1.4.
+    pub fn set_edges(&mut self, ends: &[[usize; 2]], markers: Option<&[i32]>) -> Result<(), Error> {
+        self.set_items(sys::mgdt_mesh_set_edges, ends, markers)
+    }
+
+    /// Sets the points that [`improve`](Mesh::improve) leaves where they are. Since 1.4.
+    pub fn set_fixed_points(&mut self, points: &[usize]) -> Result<(), Error> {
+        let listed: Vec<i64> = points.iter().map(|&k| as_i64(k)).collect();
+        self.ensure(unsafe {
+            sys::mgdt_mesh_set_fixed_points(self.raw(), as_i64(listed.len()), listed.as_ptr())
+        })
+    }
+
+    fn set_items<const N: usize>(
+        &mut self,
+        set: unsafe extern "C" fn(*mut sys::mgdt_mesh, i64, *const i64, *const i32) -> sys::mgdt_status,
+        corners: &[[usize; N]],
+        markers: Option<&[i32]>,
+    ) -> Result<(), Error> {
+        let of_items = ensure_markers(markers, corners.len())?;
+        let listed: Vec<i64> = corners.iter().flatten().map(|&k| as_i64(k)).collect();
+        self.ensure(unsafe { set(self.raw(), as_i64(corners.len()), listed.as_ptr(), of_items) })
+    }
+
+    /// Makes the mesh of what was set, in place of the one that there was. Since 1.4.
+    pub fn build(&mut self) -> Result<(), Error> {
+        self.ensure(unsafe { sys::mgdt_mesh_build(self.raw()) })
+    }
+
+    /// Improves the tetrahedra until all dihedral angles reach the goal, or nothing helps. Since 1.4.
+    pub fn improve(&mut self) -> Result<(), Error> {
+        self.ensure(unsafe { sys::mgdt_mesh_improve(self.raw()) })
+    }
+
+    /// The same with a closure that hears of progress, as
+    /// [`insert_with_progress`](crate::Triangulation::insert_with_progress) has it. A mesh whose improvement is
+    /// stopped is better, but not as good as it would be. Since 1.4.
+    pub fn improve_with_progress<F>(&mut self, progress: F) -> Result<(), Error>
+    where
+        F: FnMut(f64) -> ControlFlow<()>,
+    {
+        let m = self.raw();
+        let status = watched(progress, |report, user| unsafe {
+            sys::mgdt_mesh_set_progress(m, Some(report), user);
+            let status = sys::mgdt_mesh_improve(m);
+            sys::mgdt_mesh_set_progress(m, None, ptr::null_mut());
+            status
+        });
+        self.ensure(status)
     }
 
     /// Proves the mesh by itself, exactly; [`Domain::check`](crate::Domain::check) compares it with

@@ -169,6 +169,10 @@ pub enum TetrahedronMeasure {
     LargestDihedralAngle = sys::MGDT_TETRAHEDRON_LARGEST_DIHEDRAL_ANGLE,
     /// Length of the longest edge.
     LongestEdge = sys::MGDT_TETRAHEDRON_LONGEST_EDGE,
+    /// 6 sqrt(2) times the volume over the third power of the root mean square of the edges. Since 1.4.
+    VolumeLength = sys::MGDT_TETRAHEDRON_VOLUME_LENGTH,
+    /// Length of the longest edge over that of the shortest one. Since 1.4.
+    EdgeRatio = sys::MGDT_TETRAHEDRON_EDGE_RATIO,
 }
 
 /// What [`cell_measures`](crate::Triangulation::cell_measures) measures of a Voronoi cell. Since 1.2.

@@ -45,6 +45,11 @@ fn plain<const W: usize>(rows: Vec<[usize; W]>) -> Vec<[i64; W]> {
     rows.into_iter().map(|row| row.map(|k| k as i64)).collect()
 }
 
+fn indices<const W: usize>(name: &str) -> Vec<[usize; W]> {
+    let row = |row: [i64; W]| row.map(|k| k as usize);
+    rows::<W>(name).into_iter().map(row).collect()
+}
+
 fn number(k: Option<usize>) -> i64 {
     k.map_or(NONE, |k| k as i64)
 }
@@ -204,6 +209,68 @@ fn a_domain() {
     // The mesh outlives what it was made from.
     drop(d);
     m.check().unwrap();
+}
+
+#[test]
+fn a_mesh() {
+    use std::ops::ControlFlow;
+    let markers: Vec<_> = integers("block_given_markers").iter().map(|&k| k as i32).collect();
+    let faces = indices::<3>("block_given_faces");
+    let mut m = mgdt::Mesh::new().unwrap();
+    m.set_threads(2).unwrap();
+    m.set_points(&places("block_given_points")).unwrap();
+    m.set_tetrahedra(&indices("block_given_tetrahedra"), Some(&markers)).unwrap();
+    m.set_faces(&faces, Some(&[9])).unwrap();
+    m.set_edges(&[[0, 1]], None).unwrap();
+    m.set_edges(&[], None).unwrap();
+    let fixed: Vec<_> = integers("block_given_fixed").iter().map(|&k| k as usize).collect();
+    m.set_fixed_points(&fixed).unwrap();
+    m.build().unwrap();
+    m.check().unwrap();
+    assert_eq!(format!("{:?}", m), "Mesh { tetrahedra: 384, regions: 2 }");
+    m.set_goal(30).unwrap();
+    m.set_boundary(mgdt::Boundary::Slide).unwrap();
+    m.set_given_points(mgdt::GivenPoints::Move).unwrap();
+    m.set_mean_passes(3).unwrap();
+    m.set_most_passes(100).unwrap();
+    let mut heard = 0;
+    m.improve_with_progress(|_| {
+        heard += 1;
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(heard > 0);
+    m.check().unwrap();
+    assert_eq!(m.statistic(mgdt::MeshStatistic::BelowGoal), 0);
+    assert!(m.statistic(mgdt::MeshStatistic::Passes) > 0);
+    assert!(m.statistic(mgdt::MeshStatistic::MovedPoints) > 0);
+    assert_eq!(m.statistic(mgdt::MeshStatistic::RemovedPoints), 0);
+    assert_eq!(plain(m.tetrahedra().unwrap()), rows::<4>("block_tetrahedra"));
+    assert_eq!(m.points().unwrap(), places("block_points"));
+    assert_eq!(m.doubles(mgdt::MeshDoubles::Shapes).unwrap(), doubles("block_shapes"));
+    for (array, name) in [
+        (mgdt::MeshArray::Reasons, "reasons"),
+        (mgdt::MeshArray::AngleHistogram, "angle_histogram"),
+        (mgdt::MeshArray::TetrahedraBelow, "tetrahedra_below"),
+    ] {
+        assert_eq!(m.array(array).unwrap(), integers(&format!("block_{}", name)));
+    }
+    assert_eq!(mgdt::Reason::None as i64, m.array(mgdt::MeshArray::Reasons).unwrap()[0]);
+    m.improve().unwrap();
+    assert_eq!(m.points().unwrap(), places("block_points"));
+    m.set_goal(40).unwrap();
+    let stopped = m.improve_with_progress(|_| ControlFlow::Break(())).unwrap_err();
+    assert_eq!(stopped.kind(), mgdt::ErrorKind::Cancelled);
+    m.check().unwrap();
+
+    let mut bad = mgdt::Mesh::new().unwrap();
+    assert!(bad.build().unwrap_err().to_string().contains("no tetrahedra"));
+    assert!(bad.set_goal(71).unwrap_err().to_string().contains("71"));
+    bad.set_points(&[[0.; 3]; 4]).unwrap();
+    assert!(bad.set_tetrahedra(&[[0, 1, 2, 4]], None).is_err());
+    assert!(bad.set_tetrahedra(&[[0, 1, 2, 3]], Some(&[1, 2])).is_err());
+    bad.set_tetrahedra(&[[0, 1, 2, 3]], None).unwrap();
+    assert!(bad.build().unwrap_err().to_string().contains("tetrahedron 0 is flat"));
 }
 
 #[test]

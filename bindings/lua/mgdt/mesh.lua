@@ -1,0 +1,150 @@
+-- SPDX-License-Identifier: MIT
+--- Meshes of tetrahedra, and their improvement, for mgdt.lua.
+
+local ffi = require "ffi"
+local C = require "mgdt.library"
+local constants = require "mgdt.interface"
+local arguments = require "mgdt.arguments"
+local keyed = require "mgdt.keyed"
+
+local status = constants.status
+local raise, bad_argument = arguments.raise, arguments.bad_argument
+local whole, choice = arguments.whole, arguments.choice
+local rows_of, list_of, markers_of = arguments.rows_of, arguments.list_of, arguments.markers_of
+local of_mesh = keyed.of "mesh"
+local ensure = of_mesh.ensure
+
+local Mesh = {}
+Mesh.__index = Mesh
+
+-- Reads what the library has.
+local function read(mesh)
+    for name in pairs(constants.mesh_array) do mesh[name] = of_mesh.get(mesh.handle, name) end
+    for _, name in ipairs { "point", "tetrahedron", "region", "face", "edge" } do
+        local plural = name == "tetrahedron" and "tetrahedra" or name .. "s"
+        mesh[name .. "_count"] = of_mesh.statistic(mesh.handle, plural)
+    end
+    mesh.steiner_count = of_mesh.statistic(mesh.handle, "steiner_points")
+    mesh.is_rounded = of_mesh.statistic(mesh.handle, "is_rounded") == 1
+    mesh.below_goal = of_mesh.statistic(mesh.handle, "below_goal")
+end
+
+--- Proves the mesh, exactly; that of a domain also against the facets and segments, until it is improved. True, or
+--- nil and what is wrong.
+function Mesh:check()
+    local value = C.mgdt_mesh_check(self.handle)
+    if value == status.check_failed then return nil, of_mesh.message_of(self.handle, value) end
+    ensure(self.handle, value)
+    if self.compare and of_mesh.statistic(self.handle, "is_delaunay") == 1 then return self.compare(self) end
+    return true
+end
+
+--- A measure of each tetrahedron: "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle" or
+--- "longest_edge", and since 1.4 "volume_length" or "edge_ratio"; and the number of tetrahedra.
+function Mesh:tetrahedron_measures(measure)
+    local key = choice(measure, constants.tetrahedron, "the measure")
+    local x = ffi.new("double[?]", self.tetrahedron_count)
+    ensure(self.handle, C.mgdt_mesh_get_tetrahedron_measures(self.handle, key, self.tetrahedron_count, x))
+    return x, self.tetrahedron_count
+end
+jit.off(Mesh.tetrahedron_measures)
+
+local options = { goal = whole, boundary = constants.boundary, points = constants.points, mean_passes = whole,
+    most_passes = whole }
+
+--- Improves the tetrahedra until all dihedral angles reach a goal, or nothing helps; then the mesh has the new
+--- arrays. Optional, in a table: goal (25, in degrees), boundary ("fixed" or "slide"), points ("keep", "move" or
+--- "remove"), fixed (a list of points), mean_passes (3), most_passes (100), and progress, a function. What is not given
+--- stays as the last call has set it. `shapes`, `angle_histogram`, `tetrahedra_below` and `reasons` say what has become better, and below_goal
+--- how many tetrahedra are left. Since 1.4.
+function Mesh:improve(given)
+    local progress
+    for name, value in pairs(given or {}) do
+        local kind = options[name]
+        if kind == whole then
+            of_mesh.set_option(self.handle, name, whole(value, name))
+        elseif kind then
+            of_mesh.set_option(self.handle, name, choice(value, kind, name))
+        elseif name == "fixed" then
+            if type(value) ~= "table" then bad_argument("fixed must be a list of points") end
+            ensure(self.handle, C.mgdt_mesh_set_fixed_points(self.handle, #value, list_of(value, "fixed", "int64_t")))
+        elseif name == "progress" then
+            progress = value
+        else
+            bad_argument("there is no setting %s", tostring(name))
+        end
+    end
+    local value = of_mesh.watch(self.handle, progress, function(of) return C.mgdt_mesh_improve(of) end)
+    read(self)
+    ensure(self.handle, value)
+    return self
+end
+jit.off(Mesh.improve, true)
+
+function Mesh:__tostring()
+    return ("mgdt %s: %d points, %d tetrahedra, %d regions"):format(self.kind, self.point_count,
+        self.tetrahedron_count, self.region_count)
+end
+
+local mesh = {}
+
+--- A mesh of the library as a table of its arrays. compare(mesh) is a further check of it.
+function mesh.take(handle, kind, compare)
+    local made = { handle = handle, kind = kind, compare = compare }
+    read(made)
+    return setmetatable(made, Mesh)
+end
+
+local known = { points = true, tetrahedra = true, markers = true, faces = true, face_markers = true, edges = true,
+    edge_markers = true, threads = true, memory_limit = true, index_base = true, progress = true }
+
+-- The corners of rows of a width, or of an FFI array int32_t[?][width].
+local function corners_of(rows, width, what)
+    if type(rows) == "cdata" then
+        local element, length = arguments.shape_of(rows)
+        if element ~= "int" or not length or length % width ~= 0 then
+            bad_argument("%s must be lists of corners, or an FFI array int32_t[?][%d]", what, width)
+        end
+        local corners, from = ffi.new("int64_t[?]", length), ffi.cast("const int32_t *", rows)
+        for k = 0, length - 1 do corners[k] = from[k] end
+        return length / width, corners
+    end
+    if type(rows) ~= "table" then bad_argument("%s is %s; it must be a table", what, type(rows)) end
+    local corners = {}
+    for k, row in ipairs(rows) do
+        if type(row) ~= "table" or #row ~= width then bad_argument("%s[%d] is not %d points", what, k, width) end
+        for i = 1, width do corners[width * (k - 1) + i] = row[i] end
+    end
+    return #rows, list_of(corners, "the corners of " .. what, "int64_t")
+end
+
+--- A mesh of tetrahedra, from a table with points (as for insert()) and tetrahedra, four corners each. Optional:
+--- markers of tetrahedra, faces {a, b, c} and edges {a, b} that have to stay, face_markers, edge_markers, threads,
+--- memory_limit, index_base (0), and progress, a function as for set_progress(). The result is as that of domain_mesh(). Since 1.4.
+function mesh.mesh(given)
+    if type(given) ~= "table" then bad_argument("a table with points and tetrahedra is needed") end
+    for name in pairs(given) do
+        if not known[name] then bad_argument("there is no setting %s", tostring(name)) end
+    end
+    local out = ffi.new("mgdt_mesh *[1]")
+    local value = C.mgdt_mesh_create(out)
+    if value ~= 0 then raise(value, ffi.string(C.mgdt_status_string(value))) end
+    local handle = ffi.gc(out[0], C.mgdt_mesh_destroy)
+    of_mesh.set_option(handle, "index_base", whole(given.index_base or 0, "index_base"))
+    of_mesh.set_option(handle, "threads", whole(given.threads or 1, "threads"))
+    of_mesh.set_option(handle, "memory_limit", whole(given.memory_limit or 0, "memory_limit"))
+    local xyz, count = rows_of(given.points, nil, "points", 3, "points")
+    ensure(handle, C.mgdt_mesh_set_points(handle, count, xyz))
+    local n, corners = corners_of(given.tetrahedra, 4, "tetrahedra")
+    ensure(handle, C.mgdt_mesh_set_tetrahedra(handle, n, corners, markers_of(given.markers, n, "markers")))
+    n, corners = corners_of(given.faces or {}, 3, "faces")
+    ensure(handle, C.mgdt_mesh_set_faces(handle, n, corners, markers_of(given.face_markers, n, "face_markers")))
+    n, corners = corners_of(given.edges or {}, 2, "edges")
+    ensure(handle, C.mgdt_mesh_set_edges(handle, n, corners, markers_of(given.edge_markers, n, "edge_markers")))
+    ensure(handle, of_mesh.watch(handle, given.progress, function(of) return C.mgdt_mesh_build(of) end))
+    return mesh.take(handle, "mesh")
+end
+-- Compiled code does not hold on to an array whose address alone is in use any more.
+jit.off(mesh.mesh, true)
+
+return mesh

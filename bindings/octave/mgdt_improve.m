@@ -1,0 +1,92 @@
+% SPDX-License-Identifier: MIT
+
+% -- mesh = mgdt_improve (points, tetrahedra)
+% -- mesh = mgdt_improve (mesh)
+% -- mesh = mgdt_improve (..., NAME, VALUE, ...)
+%
+% Makes the worst tetrahedra of a mesh better, until all dihedral angles reach a goal, or nothing helps.
+% The shape of the surface stays. Since 1.4.
+%
+% points      n x 3 matrix
+% tetrahedra  m x 4 matrix of rows of points; the corners may have any order
+% mesh        a struct of this function or of mgdt_domain_mesh, in place of both
+%
+% NAME and VALUE:
+%
+% "markers"          one for each tetrahedron; those with one marker form a region
+% "faces"            f x 3, rows of points: faces with markers, and faces inside that have to stay
+% "face_markers"     one for each face
+% "edges"            e x 2, rows of points: edges that have to stay
+% "edge_markers"     one for each edge
+% "fixed"            points that stay where they are
+% "goal"             the least dihedral angle, in degrees from 0 to 70; 25 at first
+% "boundary"         "fixed", or "slide" if points of the surface may move within their facets
+% "keep"             what happens to points: "all" leaves them where they are, "numbers" (at first) moves
+%                    them, "none" may also leave some without a tetrahedron
+% "mean_passes"      passes for the mean of the shapes; 3 at first
+% "most_passes"      a limit for goals that are out of reach; 100 at first
+% "threads"          0 for all cores
+% "memory_limit"     bytes, 0 for none
+% "progress"         a function that hears of the fraction done; true cancels
+% "check"            true to prove the mesh; mgdt:check_failed says what is wrong
+%
+% The result is a struct as that of mgdt_domain_mesh, without open_edges, and with shapes (3 x 2: the
+% least and the largest angle in degrees, and the mean shape, before and after), angle_histogram (18 x 2,
+% by tens of degrees), tetrahedra_below (6 x 2: with an angle below 5, 10, 15, 20, 25 and 30 degrees), and
+% reasons (for each tetrahedron why it is below the goal, or 0). mgdt/mgdt_mesh.h says what they mean.
+%
+% Errors: mgdt:invalid_argument (what is no mesh, with the numbers of what is wrong), mgdt:not_finite,
+% mgdt:cancelled, mgdt:out_of_memory.
+%
+% See also: mgdt_domain_mesh
+function mesh = mgdt_improve (points, varargin)
+  if (nargin < 1 || (! isstruct (points) && nargin < 2))
+    print_usage ();
+  end
+  given = struct ("markers", [], "faces", [], "face_markers", [], "edges", [], "edge_markers", [], ...
+                  "fixed", [], "goal", 25, "boundary", "fixed", "keep", "numbers", "mean_passes", 3, ...
+                  "most_passes", 100, "threads", 1, "memory_limit", 0, "progress", [], "check", false);
+  if (isstruct (points))
+    before = points;
+    points = before.points;
+    tetrahedra = before.tetrahedra;
+    given.markers = before.region_markers(before.tetrahedron_regions);
+    % Faces without a tetrahedron belong to no mesh.
+    is_at_one = any (before.face_tetrahedra > 0, 2);
+    given.faces = before.faces(is_at_one,:);
+    given.face_markers = before.face_markers(is_at_one);
+    given.edges = before.edges(before.edge_segments > 0,:);
+    given.edge_markers = before.edge_markers(before.edge_segments > 0);
+    settings = varargin;
+  else
+    tetrahedra = varargin{1};
+    settings = varargin(2:end);
+  end
+  if (mod (numel (settings), 2) != 0)
+    error ("mgdt:invalid_argument", "mgdt: a setting has no value");
+  end
+  for k = 1:2:numel (settings)
+    if (! ischar (settings{k}) || ! isfield (given, settings{k}))
+      error ("mgdt:unknown_key", "mgdt: settings of an improvement are %s", strjoin (fieldnames (given)', ", "));
+    end
+    given.(settings{k}) = settings{k + 1};
+  end
+  corners = cell (1, 3);
+  rows_of = {tetrahedra, 4, "tetrahedra"; given.faces, 3, "faces"; given.edges, 2, "edges"};
+  for k = 1:3
+    if (! isempty (rows_of{k,1}) && columns (rows_of{k,1}) != rows_of{k,2})
+      error ("mgdt:invalid_argument", "mgdt: %s must have %d columns", rows_of{k,[3 2]});
+    end
+    corners{k} = double (vec (rows_of{k,1}'));
+  end
+  number = @(value, names) find (strcmp (value, names)) - 1;
+  boundary = number (given.boundary, {"fixed", "slide"});
+  keep = number (given.keep, {"all", "numbers", "none"});
+  if (isempty (boundary) || isempty (keep))
+    error ("mgdt:invalid_argument", "mgdt: boundary is \"fixed\" or \"slide\"; keep is \"all\", \"numbers\" or \"none\"");
+  end
+  mesh = mgdt_mex ("improve", double (points), corners{1}, double (given.markers(:)), corners{2}, ...
+                   double (given.face_markers(:)), corners{3}, double (given.edge_markers(:)), ...
+                   double (given.fixed(:)), given.goal, boundary, keep, given.mean_passes, ...
+                   given.most_passes, given.threads, given.memory_limit, given.progress, double (given.check));
+end

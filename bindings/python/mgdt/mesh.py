@@ -1,0 +1,379 @@
+# SPDX-License-Identifier: MIT
+"""Meshes of tetrahedra, and their improvement."""
+
+from __future__ import annotations
+
+import copy
+from ctypes import c_void_p
+from typing import Any, Callable, NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import FloatArray, IndexArray, address, as_array, as_points
+from ._building import build
+from ._gate import Gate, interruptibly
+from ._interface import CONSTANTS
+from ._keyed import Keyed
+from .export import to_meshio, to_pyvista
+
+
+def integers(values: Any, name: str, columns: Optional[int] = None) -> NDArray[np.int64]:
+    array = as_array(values, name)
+    if array.size == 0:
+        array = array.astype(np.int64)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} must be integers, not {array.dtype}")
+    if columns is not None and array.size == 0:
+        array = array.reshape(0, columns)
+    if array.ndim != (1 if columns is None else 2) or (columns and array.shape[1] != columns):
+        shape = "(n,)" if columns is None else f"(n, {columns})"
+        raise ValueError(f"{name} must have the shape {shape}, not {array.shape}")
+    return np.ascontiguousarray(array, np.int64)
+
+
+def markers_of(values: Optional[ArrayLike], n: int, name: str) -> Optional[NDArray[np.int32]]:
+    if values is None:
+        return None
+    wide = integers(values, name)
+    if wide.shape != (n,):
+        raise ValueError(f"{name} must have the shape ({n},), not {wide.shape}")
+    if n and (wide.min() < -(1 << 31) or wide.max() >= 1 << 31):
+        raise ValueError(f"{name} must fit 32-bit integers")
+    return wide.astype(np.int32)
+
+
+class MeshHandle(Keyed):
+    """A mesh of the library."""
+
+    kind = "mesh"
+
+    def __init__(self, pointer: Optional[c_void_p] = None) -> None:
+        super().__init__(self._create() if pointer is None else pointer)
+
+    def measures(self, name: str) -> FloatArray:
+        values = np.empty(self.statistic("tetrahedra"))
+        self.call("get_tetrahedron_measures", CONSTANTS["tetrahedron"][name], values.size, address(values))
+        return values
+
+    def set_items(self, function: str, items: NDArray[np.int64], markers: Optional[NDArray[np.int32]]) -> None:
+        self.call(function, len(items), address(items), None if markers is None else address(markers))
+
+
+class Improvement(NamedTuple):
+    """What `Mesh.improve` has done. Pairs are before and after."""
+
+    least_angle: tuple[float, float]
+    """Least dihedral angle, in degrees."""
+    largest_angle: tuple[float, float]
+    """Largest dihedral angle, in degrees."""
+    mean_shape: tuple[float, float]
+    """Mean of the measure "volume_length": 1 if all tetrahedra are regular."""
+    angles: IndexArray
+    """(18, 2) numbers of dihedral angles from 0 to 10 degrees, 10 to 20 and so on; six for each tetrahedron."""
+    below: IndexArray
+    """(6, 2) numbers of tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees."""
+    reasons: IndexArray
+    """For each tetrahedron 0, or why it is below the goal: 1 for an angle between facets, 2 for a thin face of
+    the surface, 3 if all of its corners are fixed, 4 for anything else."""
+    left: int
+    """Tetrahedra below the goal."""
+
+
+class Mesh:
+    """A mesh of tetrahedra.
+
+    Since 1.4.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+    simplices : (m, 4) array of rows of `points`. The corners may have any order
+    markers : m integers; 0 by default. Tetrahedra with one marker form a region
+    faces : (f, 3) array of rows of `points`: faces with markers, and faces inside that have to stay
+    face_markers : f integers; 0 by default
+    edges : (e, 2) array of rows of `points`: edges that have to stay
+    edge_markers : e integers; 0 by default
+    threads : 0 for all cores
+    memory_limit : bytes, 0 for none
+    progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
+
+    Raises
+    ------
+    ValueError
+        If tetrahedra are flat, or do not meet in common faces; the message has their numbers.
+
+    Attributes
+    ----------
+    points : (n, 3) array
+        Those that were given, then those that an improvement has added.
+    point_origins : (n,) array
+        The given point that each point is, or -1.
+    simplices : (m, 4) array
+        Positively oriented. Those that were given keep their order until they are improved.
+    neighbors : (m, 4) array
+        The simplices opposite the corners of each; -1 where the mesh ends.
+    simplex_regions : (m,) array
+    region_markers : (r,) array
+    faces : (f, 3) array
+        The faces that were given, those at which the mesh ends, and those between regions.
+    face_simplices : (f, 2) array
+        The simplices on both sides, or -1.
+    face_facets : (f,) array
+        Faces in one plane form a facet; its number.
+    face_markers : (f,) array
+    edges : (e, 2) array
+        The edges that were given, and those at which facets end.
+    edge_segments : (e,) array
+        The given edge that each is, or a part of; or -1.
+    edge_markers : (e,) array
+    npoints, nsimplex : int
+        The numbers of points and of tetrahedra.
+    unused_points : int
+        How many of the points are no corner of a tetrahedron.
+
+    Examples
+    --------
+    >>> import mgdt
+    >>> points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [.2, .3, .2]]
+    >>> mesh = mgdt.Mesh(points, [[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]])
+    >>> mesh
+    <mgdt.Mesh: 5 points, 4 tetrahedra, 1 region>
+    >>> done = mesh.improve(25)
+    >>> [round(angle, 1) for angle in done.least_angle]
+    [4.6, 26.4]
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        simplices: ArrayLike,
+        *,
+        markers: Optional[ArrayLike] = None,
+        faces: Optional[ArrayLike] = None,
+        face_markers: Optional[ArrayLike] = None,
+        edges: Optional[ArrayLike] = None,
+        edge_markers: Optional[ArrayLike] = None,
+        threads: int = 1,
+        memory_limit: int = 0,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> None:
+        self._keep(
+            {
+                "points": points,
+                "simplices": simplices,
+                "markers": markers,
+                "faces": faces,
+                "face_markers": face_markers,
+                "edges": edges,
+                "edge_markers": edge_markers,
+                "threads": threads,
+                "memory_limit": memory_limit,
+            }
+        )
+        handle = MeshHandle()
+        handle.set_option("threads", threads)
+        handle.set_option("memory_limit", memory_limit)
+        rows = np.ascontiguousarray(as_points(points))
+        handle.call("set_points", len(rows), address(rows))
+        corners = integers(simplices, "simplices", 4)
+        handle.set_items("set_tetrahedra", corners, markers_of(markers, len(corners), "markers"))
+        size = len(corners)
+        corners = integers([] if faces is None else faces, "faces", 3)
+        handle.set_items("set_faces", corners, markers_of(face_markers, len(corners), "face_markers"))
+        ends = integers([] if edges is None else edges, "edges", 2)
+        handle.set_items("set_edges", ends, markers_of(edge_markers, len(ends), "edge_markers"))
+        build(handle, Gate(), progress, size)
+        self._take(handle)
+
+    # Copies are built and improved again from what was given, and share nothing with the original.
+
+    def _keep(self, given: dict[str, Any]) -> None:
+        self._given = copy.deepcopy(given)
+        # The arguments of all improvements; None once one of them was cancelled.
+        self._improvements: Optional[list[dict[str, Any]]] = []
+
+    def __getstate__(self) -> dict[str, Any]:
+        if self._improvements is None:
+            raise TypeError("a mesh whose improvement was cancelled cannot be copied")
+        return {"given": self._given, "improvements": self._improvements}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # Version 1.3 has saved what was given alone.
+        given = state.get("given", state)
+        type(self).__init__(self, **given)
+        for improvement in state.get("improvements", []):
+            self.improve(**improvement)
+
+    def _take(self, mesh: MeshHandle) -> None:
+        """Takes a mesh of the library."""
+        self._mesh = mesh
+        self._gate = Gate()
+        self._read()
+
+    def _read(self) -> None:
+        mesh = self._mesh
+        self.points: FloatArray = mesh.array("points")
+        self.point_origins: IndexArray = mesh.array("point_origins")
+        self.simplices: IndexArray = mesh.array("tetrahedra")
+        self.neighbors: IndexArray = mesh.array("neighbors")
+        self.simplex_regions: IndexArray = mesh.array("tetrahedron_regions")
+        self.region_markers: IndexArray = mesh.array("region_markers")
+        self.faces: IndexArray = mesh.array("faces")
+        self.face_simplices: IndexArray = mesh.array("face_tetrahedra")
+        self.face_facets: IndexArray = mesh.array("face_facets")
+        self.face_markers: IndexArray = mesh.array("face_markers")
+        self.edges: IndexArray = mesh.array("edges")
+        self.edge_segments: IndexArray = mesh.array("edge_segments")
+        self.edge_markers: IndexArray = mesh.array("edge_markers")
+        self.steiner_edges: IndexArray = mesh.array("steiner_edges")
+        self.steiner_parameters: FloatArray = mesh.array("steiner_parameters")
+        self.is_rounded = mesh.statistic("is_rounded") == 1
+        self.unused_points = mesh.statistic("unused_points")
+        self.unused_faces = mesh.statistic("unused_faces")
+        self.unused_regions = mesh.statistic("unused_regions")
+        self.unused_holes = mesh.statistic("unused_holes")
+
+    @property
+    def npoints(self) -> int:
+        """The number of points, Steiner points included."""
+        return len(self.points)
+
+    @property
+    def nsimplex(self) -> int:
+        """The number of tetrahedra."""
+        return len(self.simplices)
+
+    def improve(
+        self,
+        goal: int = 25,
+        *,
+        slide: bool = False,
+        keep: Optional[str] = None,
+        fixed: Optional[ArrayLike] = None,
+        mean_passes: int = 3,
+        most_passes: int = 100,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> Improvement:
+        """Improves the shapes of the tetrahedra until all dihedral angles reach a goal, or nothing
+        helps. The attributes have the improved mesh then.
+
+        The worst tetrahedron never becomes worse, and the shape of the surface, regions, facets and
+        markers stay. A mesh that reaches the goal stays as it is. If the call is cancelled, the mesh is
+        better, but not as good as it would be.
+
+        Since 1.4.
+
+        Parameters
+        ----------
+        goal : the least dihedral angle, in degrees from 0 to 70
+        slide : whether points of the surface may move within their facets and along straight edges
+        keep : what happens to the points that were given: "all" leaves them where they are, "numbers" moves
+            them, "none" may also leave some without a tetrahedron. By default "all" for a
+            `DomainMesh`, "numbers" for others
+        fixed : rows of `points`, of those that were given, that stay where they are
+        mean_passes : passes that move all points for the mean of the shapes
+        most_passes : a limit for goals that are out of reach
+        progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
+        """
+        keeps = {"all": "keep", "numbers": "move", "none": "remove"}
+        if keep is not None and keep not in keeps:
+            raise ValueError(f"keep is {keep!r}; it must be one of {', '.join(map(repr, keeps))}")
+        mesh = self._mesh
+        points = integers([] if fixed is None else fixed, "fixed")
+        kept = self._keep_at_first if keep is None else keep
+
+        def change() -> None:
+            mesh.set_option("goal", goal)
+            mesh.set_option("boundary", CONSTANTS["boundary"]["slide" if slide else "fixed"])
+            mesh.set_option("points", CONSTANTS["points"][keeps[kept]])
+            mesh.set_option("mean_passes", mean_passes)
+            mesh.set_option("most_passes", most_passes)
+            mesh.call("set_fixed_points", len(points), address(points))
+
+        improvements, self._improvements = self._improvements, None
+        try:
+            build(mesh, self._gate, progress, len(self.simplices), change, "improve")
+        finally:
+            self._read()
+        arguments = {
+            "goal": goal,
+            "slide": slide,
+            "keep": keep,
+            "fixed": fixed,
+            "mean_passes": mean_passes,
+            "most_passes": most_passes,
+        }
+        if improvements is not None:
+            self._improvements = [*improvements, copy.deepcopy(arguments)]
+        least, largest, mean = ((float(row[0]), float(row[1])) for row in mesh.array("shapes"))
+        return Improvement(
+            least,
+            largest,
+            mean,
+            mesh.array("angle_histogram", np.int64),
+            mesh.array("tetrahedra_below", np.int64),
+            mesh.array("reasons"),
+            mesh.statistic("below_goal"),
+        )
+
+    _keep_at_first = "numbers"
+
+    def check(self) -> None:
+        """Proves the mesh, exactly; that of a domain also against the facets and segments, until it is
+        improved.
+
+        Raises
+        ------
+        CheckFailed
+            If it has a defect. The message says what and where.
+        """
+
+        def check(is_left: Callable[[], bool]) -> None:
+            with self._gate.reading(is_left):
+                self._prove()
+
+        interruptibly(check, True)
+
+    def _prove(self) -> None:
+        self._mesh.call("check")
+
+    def tetrahedron_measures(self, measure: str) -> FloatArray:
+        """A measure of each tetrahedron, as `Delaunay.tetrahedron_measures` has it.
+
+        Parameters
+        ----------
+        measure : "volume", "radius_ratio", "least_dihedral_angle", "largest_dihedral_angle",
+            "longest_edge", "volume_length" or "edge_ratio"
+        """
+        if measure not in CONSTANTS["tetrahedron"]:
+            known = ", ".join(CONSTANTS["tetrahedron"])
+            raise ValueError(f"there is no measure {measure!r} of tetrahedra; there are {known}")
+
+        def read(is_left: Callable[[], bool]) -> FloatArray:
+            with self._gate.reading(is_left):
+                return self._mesh.measures(measure)
+
+        return interruptibly(read, True)
+
+    def to_meshio(self) -> Any:
+        """Points, tetrahedra and faces as a ``meshio.Mesh``. Cell data "marker" has the markers of the
+        regions of tetrahedra, and those of faces."""
+        return to_meshio(self, [("triangle", self.faces)], self._cell_data())
+
+    def to_pyvista(self) -> Any:
+        """Points and tetrahedra as a ``pyvista.UnstructuredGrid``, with the markers of regions as the
+        cell data "marker"."""
+        grid = to_pyvista(self)
+        grid.cell_data["marker"] = self._cell_data()["marker"][0]
+        return grid
+
+    def _cell_data(self) -> dict[str, list[Any]]:
+        return {"marker": [self.region_markers[self.simplex_regions], self.face_markers]}
+
+    def __repr__(self) -> str:
+        n = len(self.region_markers)
+        return (
+            f"<mgdt.{type(self).__name__}: {len(self.points)} points, {len(self.simplices)} tetrahedra, "
+            f"{n} region{'' if n == 1 else 's'}>"
+        )

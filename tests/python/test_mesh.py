@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""Meshes of the caller's tetrahedra, and their improvement."""
+
+import copy
+import doctest
+import itertools
+import pickle
+import unittest
+from typing import Any
+
+import numpy as np
+
+import mgdt
+import mgdt.mesh
+
+CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+SIDES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+N = 5
+
+
+def lattice(seed: int = 1, move: float = 0.4) -> tuple[Any, Any]:
+    """The points of cubes, of which those inside are moved, and six tetrahedra for each cube."""
+    at = np.indices((N + 1,) * 3).reshape(3, -1).T[:, ::-1].astype(float)
+    inner = (at > 0) & (at < N)
+    points = at + inner * np.random.default_rng(seed).uniform(-move / 2, move / 2, at.shape)
+    first = np.flatnonzero((at < N).all(axis=1))
+    steps = np.array([1, N + 1, (N + 1) ** 2])
+    corners = [np.stack([first, *(first + np.cumsum(steps[list(order)])[k] for k in range(3))], 1)
+               for order in itertools.permutations(range(3))]
+    return points, np.concatenate(corners)
+
+
+POINTS, SIMPLICES = lattice()
+
+
+class Mesh(unittest.TestCase):
+    def test_tetrahedra_keep_their_order(self) -> None:
+        markers = (np.arange(len(SIMPLICES)) % 2) * 5
+        mesh = mgdt.Mesh(POINTS, SIMPLICES, markers=markers)
+        mesh.check()
+        self.assertTrue((np.sort(mesh.simplices, 1) == np.sort(SIMPLICES, 1)).all())
+        self.assertTrue((mesh.points == POINTS).all())
+        self.assertEqual(mesh.region_markers.tolist(), [0, 5])
+        self.assertTrue((mesh.region_markers[mesh.simplex_regions] == markers).all())
+        self.assertAlmostEqual(mesh.tetrahedron_measures("volume").sum(), N**3)
+        self.assertEqual(repr(mesh), f"<mgdt.Mesh: {len(POINTS)} points, {len(SIMPLICES)} tetrahedra, 2 regions>")
+
+    def test_faces_and_edges(self) -> None:
+        mesh = mgdt.Mesh(CUBE, [[0, 1, 3, 7], [0, 1, 5, 7]], faces=[[7, 1, 0], [0, 1, 3]], face_markers=[4, -4],
+                         edges=[[7, 1]], edge_markers=[9])
+        self.assertEqual(mesh.faces[:2].tolist(), [[7, 1, 0], [0, 1, 3]])
+        self.assertEqual(mesh.face_markers[:3].tolist(), [4, -4, 0])
+        self.assertEqual(mesh.edges[0].tolist(), [7, 1])
+        self.assertEqual((mesh.edge_markers[0], mesh.edge_segments[0], mesh.edge_segments[1]), (9, 0, -1))
+        self.assertEqual(mesh.unused_points, 3)
+
+    def test_improvement(self) -> None:
+        results = []
+        for threads in (1, 3):
+            mesh = mgdt.Mesh(POINTS, SIMPLICES, threads=threads)
+            heard: list[float] = []
+            done = mesh.improve(30, slide=True, progress=heard.append)
+            mesh.check()
+            self.assertEqual(heard, sorted(heard))
+            self.assertEqual(heard[-1], 1)
+            least = np.degrees(mesh.tetrahedron_measures("least_dihedral_angle").min())
+            largest = np.degrees(mesh.tetrahedron_measures("largest_dihedral_angle").max())
+            self.assertAlmostEqual(done.least_angle[1], least)
+            self.assertAlmostEqual(done.largest_angle[1], largest)
+            self.assertAlmostEqual(done.mean_shape[1], mesh.tetrahedron_measures("volume_length").mean())
+            self.assertGreaterEqual(least, 30)
+            self.assertLess(done.least_angle[0], 25)
+            self.assertGreater(done.mean_shape[1], done.mean_shape[0])
+            self.assertEqual(done.angles.sum(axis=0).tolist(), [6 * len(SIMPLICES), 6 * mesh.nsimplex])
+            self.assertEqual(done.below[:, 1].tolist(), [0] * 6)
+            self.assertEqual((done.left, done.reasons.tolist()), (0, [0] * mesh.nsimplex))
+            self.assertAlmostEqual(mesh.tetrahedron_measures("volume").sum(), N**3)
+            results.append((mesh.points.tolist(), mesh.simplices.tolist()))
+        self.assertEqual(*results)
+        before = mesh.points.copy()
+        mesh.improve(30, slide=True)
+        self.assertTrue((mesh.points == before).all())
+
+    def test_what_stays(self) -> None:
+        on_surface = ((POINTS == 0) | (POINTS == N)).any(axis=1)
+        fixed = np.flatnonzero(~on_surface)[:7]
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        mesh.improve(28, fixed=fixed)
+        moved = (mesh.points[:len(POINTS)] != POINTS).any(axis=1)
+        self.assertFalse(moved[on_surface].any() or moved[fixed].any())
+        self.assertTrue(moved.any())
+        self.assertEqual(mesh.unused_points, 0)
+        self.assertTrue((mesh.point_origins[:len(POINTS)] == np.arange(len(POINTS))).all())
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        mesh.improve(28, keep="all")
+        self.assertTrue((mesh.points[:len(POINTS)] == POINTS).all())
+
+    def test_reasons(self) -> None:
+        mesh = mgdt.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0.01]], [[0, 1, 2, 3]])
+        done = mesh.improve()
+        self.assertEqual((done.left, done.reasons.tolist()), (1, [1]))
+        self.assertEqual(done.least_angle[0], done.least_angle[1])
+
+    def test_domain_mesh(self) -> None:
+        points = np.concatenate([CUBE, [[0.5, 0.5, 0.02]]])
+        mesh = mgdt.DomainMesh(points, SIDES)
+        mesh.check()
+        done = mesh.improve(25)
+        self.assertTrue((mesh.points[:9] == points).all())
+        self.assertGreaterEqual(done.least_angle[1], done.least_angle[0])
+        mesh.check()
+
+    def test_copies(self) -> None:
+        mesh = mgdt.Mesh(POINTS, SIMPLICES, markers=np.ones(len(SIMPLICES), int))
+        mesh.improve(25, slide=True, mean_passes=1)
+        for twin in (copy.copy(mesh), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))):
+            self.assertTrue((twin.points == mesh.points).all())
+            self.assertTrue((twin.simplices == mesh.simplices).all())
+        with self.assertRaises(mgdt.Cancelled):
+            mesh.improve(35, progress=lambda _: mgdt.CANCEL)
+        mesh.check()
+        with self.assertRaisesRegex(TypeError, "cancelled"):
+            copy.copy(mesh)
+
+    def test_bad_arguments(self) -> None:
+        for arguments, words in (
+            (dict(simplices=[[0, 1, 2, 8]]), "corner 8"), (dict(simplices=[[0, 1, 2, 3]]), "is flat"),
+            (dict(simplices=[[0, 1, 2]]), "shape"), (dict(markers=[1, 2]), "markers"),
+            (dict(faces=[[0, 3, 4]]), "no face"), (dict(edges=[[2, 3]]), "no edge"),
+            (dict(simplices=[[0, 1, 2, 4], [4, 2, 1, 0]]), "same corners"),
+            (dict(simplices=np.empty((0, 4), int)), "no tetrahedra"), (dict(threads=-1), "-1"),
+        ):
+            with self.subTest(arguments), self.assertRaisesRegex(ValueError, words):
+                mgdt.Mesh(**{"points": CUBE, "simplices": [[0, 1, 2, 4]], **arguments})  # type: ignore
+        mesh = mgdt.Mesh(CUBE, [[0, 1, 2, 4]])
+        for arguments, words in (
+            (dict(goal=71), "71"), (dict(keep="some"), "'some'"), (dict(fixed=[8]), "corner 8"),
+            (dict(mean_passes=-1), "-1"), (dict(most_passes=10**6), "1000000"),
+        ):
+            with self.subTest(arguments), self.assertRaisesRegex(ValueError, words):
+                mesh.improve(**arguments)  # type: ignore
+        mesh.check()
+
+    def test_examples(self) -> None:
+        self.assertEqual(doctest.testmod(mgdt.mesh).failed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
