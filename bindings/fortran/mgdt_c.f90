@@ -592,6 +592,27 @@ module mgdt_c
             real(c_double), intent(inout) :: x(*)
             integer(c_int32_t) :: status
         end function
+        function c_mesh_get_shape_summary(m, shapes, angles, tetrahedra_below) result(status) &
+            bind(c, name='mgdt_mesh_get_shape_summary')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            type(c_ptr), value :: shapes
+            type(c_ptr), value :: angles
+            type(c_ptr), value :: tetrahedra_below
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_interpolate(m, outside, n_fields, values, n, xyz, out) result(status) &
+            bind(c, name='mgdt_mesh_interpolate')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n_fields
+            real(c_double), intent(in) :: values(*)
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: status
+        end function
         function c_mesh_check(m) result(status) bind(c, name='mgdt_mesh_check')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: m
@@ -1424,6 +1445,33 @@ module mgdt_c
             integer(c_int32_t), value :: array
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_mesh_locate_points
+        function c_mesh_locate_points_i32(m, outside, n, xyz, tetrahedra, weights) &
+            result(status) &
+            bind(c, name='mgdt_mesh_locate_points_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: weights
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_locate_points_i64(m, outside, n, xyz, tetrahedra, weights) &
+            result(status) &
+            bind(c, name='mgdt_mesh_locate_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int64_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: weights
             integer(c_int32_t) :: status
         end function
     end interface

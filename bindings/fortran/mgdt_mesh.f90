@@ -47,6 +47,7 @@ module mgdt_mesh
     public :: mgdt_points_keep, mgdt_points_move, mgdt_points_remove
     public :: mgdt_reason_none, mgdt_reason_input_angle, mgdt_reason_thin_face, &
               mgdt_reason_fixed_corners, mgdt_reason_other
+    public :: mgdt_outside_none, mgdt_outside_boundary
     public :: mgdt_tetrahedron_volume, mgdt_tetrahedron_radius_ratio, &
               mgdt_tetrahedron_volume_length, mgdt_tetrahedron_edge_ratio, &
               mgdt_tetrahedron_least_dihedral_angle, mgdt_tetrahedron_largest_dihedral_angle, &
@@ -65,6 +66,9 @@ module mgdt_mesh
         type(progress_box), pointer :: progress => null()
     contains
         procedure :: own, build, improve, cancel, check, statistic, get_tetrahedron_measures
+        procedure :: get_shape_summary, interpolate
+        procedure, private :: locate_points_i32, locate_points_i64
+        generic :: locate_points => locate_points_i32, locate_points_i64
         procedure, private :: set_points_1, set_points_2
         generic :: set_points => set_points_1, set_points_2
         procedure, private :: set_tetrahedra_i32, set_tetrahedra_i64
@@ -467,6 +471,131 @@ contains
                     c_mesh_get_tetrahedron_measures(self%handle, to_c(measure), &
                                                     size(x, kind=c_int64_t), x), stat, errmsg)
     end subroutine
+
+    ! Least and largest dihedral angle in degrees and mean shape, shapes(3); angles(18) from 0 to 10
+    ! degrees, 10 to 20 and so on; tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees,
+    ! below(6). Since 1.4.
+    subroutine get_shape_summary(self, shapes, angles, below, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(in) :: self
+        real(real64), intent(out), optional :: shapes(3)
+        integer(int64), intent(out), optional :: angles(18), below(6)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), target :: of_shapes(3)
+        integer(c_int64_t), target :: of_angles(18), of_bounds(6)
+        integer(c_int32_t) :: status
+
+        of_shapes = 0
+        of_angles = 0
+        of_bounds = 0
+        status = c_mesh_get_shape_summary(self%handle, c_loc(of_shapes), c_loc(of_angles), &
+                                          c_loc(of_bounds))
+        if (present(shapes)) shapes = of_shapes
+        if (present(angles)) angles = of_angles
+        if (present(below)) below = of_bounds
+        call finish(self, 'get_shape_summary', status, stat, errmsg)
+    end subroutine
+
+    ! The tetrahedra(n) that contain points xyz(3, n), or none, and barycentric coordinates
+    ! weights(4, n). outside is mgdt_outside_none, or mgdt_outside_boundary for the nearest place of
+    ! the boundary. Since 1.4.
+    subroutine locate_points_i32(self, xyz, tetrahedra, weights, outside, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(in) :: self
+        real(real64), contiguous, intent(in) :: xyz(:, :)
+        integer(int32), contiguous, intent(inout) :: tetrahedra(:)
+        real(real64), contiguous, intent(inout), optional, target :: weights(:, :)
+        integer, intent(in), optional :: outside
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: to
+        integer :: where
+
+        if (.not. has_extent('locate_points', 'xyz', size(xyz, 1), 3, stat, errmsg)) return
+        if (.not. has_places('locate_points', 'tetrahedra', size(tetrahedra, kind=int64), &
+                             size(xyz, 2, kind=int64), stat, errmsg)) return
+        to = c_null_ptr
+        if (present(weights)) then
+            if (.not. has_extent('locate_points', 'weights', size(weights, 1), 4, stat, errmsg)) return
+            if (.not. has_places('locate_points', 'weights', size(weights, 2, kind=int64), &
+                                 size(xyz, 2, kind=int64), stat, errmsg)) return
+            if (size(weights) > 0) to = c_loc(weights)
+        end if
+        where = mgdt_outside_none
+        if (present(outside)) where = outside
+        call finish(self, 'locate_points', c_mesh_locate_points_i32( &
+            self%handle, to_c(where), size(xyz, 2, kind=c_int64_t), xyz, tetrahedra, to), stat, errmsg)
+    end subroutine
+
+    ! The tetrahedra(n) that contain points xyz(3, n), or none, and barycentric coordinates
+    ! weights(4, n). outside is mgdt_outside_none, or mgdt_outside_boundary for the nearest place of
+    ! the boundary. Since 1.4.
+    subroutine locate_points_i64(self, xyz, tetrahedra, weights, outside, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(in) :: self
+        real(real64), contiguous, intent(in) :: xyz(:, :)
+        integer(int64), contiguous, intent(inout) :: tetrahedra(:)
+        real(real64), contiguous, intent(inout), optional, target :: weights(:, :)
+        integer, intent(in), optional :: outside
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: to
+        integer :: where
+
+        if (.not. has_extent('locate_points', 'xyz', size(xyz, 1), 3, stat, errmsg)) return
+        if (.not. has_places('locate_points', 'tetrahedra', size(tetrahedra, kind=int64), &
+                             size(xyz, 2, kind=int64), stat, errmsg)) return
+        to = c_null_ptr
+        if (present(weights)) then
+            if (.not. has_extent('locate_points', 'weights', size(weights, 1), 4, stat, errmsg)) return
+            if (.not. has_places('locate_points', 'weights', size(weights, 2, kind=int64), &
+                                 size(xyz, 2, kind=int64), stat, errmsg)) return
+            if (size(weights) > 0) to = c_loc(weights)
+        end if
+        where = mgdt_outside_none
+        if (present(outside)) where = outside
+        call finish(self, 'locate_points', c_mesh_locate_points_i64( &
+            self%handle, to_c(where), size(xyz, 2, kind=c_int64_t), xyz, tetrahedra, to), stat, errmsg)
+    end subroutine
+
+    ! Values out(fields, n) at places xyz(3, n) from values(fields, points). Since 1.4.
+    subroutine interpolate(self, values, xyz, out, outside, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(in) :: self
+        real(real64), contiguous, intent(in) :: values(:, :), xyz(:, :)
+        real(real64), contiguous, intent(inout) :: out(:, :)
+        integer, intent(in), optional :: outside
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(int64) :: points
+        integer(c_int32_t) :: status
+        integer :: where
+
+        if (.not. has_extent('interpolate', 'xyz', size(xyz, 1), 3, stat, errmsg)) return
+        if (.not. has_extent('interpolate', 'out', size(out, 1), size(values, 1), stat, errmsg)) return
+        if (.not. has_places('interpolate', 'out', size(out, 2, kind=int64), &
+                             size(xyz, 2, kind=int64), stat, errmsg)) return
+        points = 0
+        status = c_mesh_get_stat(self%handle, to_c(mgdt_mesh_stat_points), points)
+        if (status == mgdt_ok) then
+            if (.not. has_places('interpolate', 'values', size(values, 2, kind=int64), points, &
+                                 stat, errmsg)) return
+            where = mgdt_outside_none
+            if (present(outside)) where = outside
+            status = c_mesh_interpolate(self%handle, to_c(where), size(values, 1, kind=c_int64_t), &
+                                        values, size(xyz, 2, kind=c_int64_t), xyz, out)
+        end if
+        call finish(self, 'interpolate', status, stat, errmsg)
+    end subroutine
+
+    function has_places(procedure, name, found, needed, stat, errmsg) result(has)
+        character(*), intent(in) :: procedure, name
+        integer(int64), intent(in) :: found, needed
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        logical :: has
+
+        has = found == needed
+        if (.not. has) call refuse(procedure, name//' has the last extent '//decimal(found)// &
+                                   '; it must be '//decimal(needed), stat, errmsg)
+    end function
 
     ! Number of elements of an array, by an mgdt_mesh_array_ constant.
     function array_size(self, array, stat, errmsg) result(elements)

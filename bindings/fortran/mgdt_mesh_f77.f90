@@ -319,6 +319,59 @@ subroutine mgumsr(h, meas, maxn, x, ierr)
             int(maxn, c_int64_t), x)
 end subroutine
 
+! The tetrahedra ITET(N) that contain points XYZ(3, N), or 0, and barycentric coordinates W(4, N). IOUT
+! is MGXNON, or MGXBOU for the nearest place of the boundary. Since 1.4, as the next two.
+subroutine mguloc(h, iout, n, xyz, itet, w, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: iout
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    integer, intent(inout) :: itet(*)
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_mesh_locate_points(handle_of(h, of_mesh), to_c(iout), int(n, c_int64_t), xyz, itet, &
+            c_loc(w))
+end subroutine
+
+! Values X(NFLD, N) at places XYZ(3, N) from V(NFLD, *), those of the points.
+subroutine mguval(h, iout, nfld, v, n, xyz, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: iout
+    integer, intent(in) :: nfld
+    real(c_double), intent(in) :: v(*)
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    real(c_double), intent(inout) :: x(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, nfld)) return
+    ierr = c_mesh_interpolate(handle_of(h, of_mesh), to_c(iout), int(nfld, c_int64_t), v, &
+            int(n, c_int64_t), xyz, x)
+end subroutine
+
+! Shapes: SHAPES(3), ANGLES(18) and IBELOW(6), as arrays MGUSHA, MGUHIS and MGUBEL have them.
+subroutine mgusum(h, shapes, iangle, ibelow, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout), target :: shapes(3)
+    integer, intent(inout) :: iangle(18), ibelow(6)
+    integer, intent(inout) :: ierr
+    integer(c_int64_t), target :: angles(18), below(6)
+
+    if (integers_differ(h, ierr)) return
+    ierr = c_mesh_get_shape_summary(handle_of(h, of_mesh), c_loc(shapes), c_loc(angles), c_loc(below))
+    if (ierr /= mgdt_ok) return
+    iangle = int(min(angles, int(huge(1), c_int64_t)))
+    ibelow = int(min(below, int(huge(1), c_int64_t)))
+end subroutine
+
 ! Message of the last call that failed on the mesh; blank if there was none.
 subroutine mguerr(h, text, ierr)
     use mgdt_f77_support

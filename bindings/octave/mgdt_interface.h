@@ -135,6 +135,10 @@
     F(mesh_get_array_i32);             \
     F(mesh_get_doubles);               \
     F(mesh_get_tetrahedron_measures);  \
+    F(mesh_get_shape_summary);         \
+    F(mesh_locate_points);             \
+    F(mesh_locate_points_i32);         \
+    F(mesh_interpolate);               \
     F(mesh_check);                     \
     F(mesh_get_error);                 \
     F(domain_create);                  \

@@ -236,8 +236,8 @@ MGDT_API mgdt_status mgdt_mesh_set_option(mgdt_mesh* m, int32_t option, int64_t 
 MGDT_API mgdt_status mgdt_mesh_get_option(const mgdt_mesh* m, int32_t option, int64_t* value);
 
 /** Sets the callback that receives the progress of mgdt_mesh_build(), mgdt_mesh_improve(),
- *  mgdt_mesh_check() and mgdt_mesh_get_tetrahedron_measures() and may cancel them, as that of
- *  mgdt_set_progress() does.
+ *  mgdt_mesh_check() and the calls that measure, summarize, locate and interpolate, and may cancel
+ *  them, as that of mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -417,6 +417,62 @@ MGDT_API mgdt_status mgdt_mesh_get_doubles(const mgdt_mesh* m, int32_t array, in
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, int32_t measure,
                                                         int64_t capacity, double* x);
+
+/** Describes the shapes of all tetrahedra in a few numbers. Each array may be NULL. An angle
+ *  that is a multiple of 5 degrees but for rounding counts as that multiple.
+ *  @param[out] shapes            3 numbers: the least and the largest dihedral angle, in degrees,
+ *                                and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH; 0 without any
+ *  @param[out] angles            18 counts of dihedral angles: from 0 to 10 degrees, 10 to 20 and
+ *                                so on; each tetrahedron has six
+ *  @param[out] tetrahedra_below  6 counts of tetrahedra with a dihedral angle below 5, 10, 15, 20,
+ *                                25 and 30 degrees
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (the handle), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_get_shape_summary(const mgdt_mesh* m, double* shapes,
+                                                 int64_t* angles, int64_t* tetrahedra_below);
+
+/** Finds the tetrahedra that contain points, exactly, with the coordinates of
+ *  MGDT_MESH_ARRAY_POINTS, also where the mesh is not convex. The first call makes a tree of the
+ *  tetrahedra in O(n log n), which the mesh keeps until it changes. Many points in one call
+ *  are much faster than one at a time.
+ *  @param outside  MGDT_OUTSIDE_NONE, or MGDT_OUTSIDE_BOUNDARY to take for a point outside of the
+ *                  mesh the nearest place of its boundary, but for rounding
+ *  @param n        number of points, at least 0
+ *  @param xyz      3 n coordinates
+ *  @param[out] tetrahedra  n numbers of tetrahedra; of several ones whose common boundary has the
+ *                          point, the first one; none for a point outside
+ *  @param[out] weights     NULL, or 4 n barycentric coordinates as those of mgdt_locate_points(),
+ *                          in the order of the corners in MGDT_MESH_ARRAY_TETRAHEDRA. With
+ *                          MGDT_OUTSIDE_BOUNDARY they are those of the nearest place, which is the
+ *                          weighted sum of the corners
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n), MGDT_ERR_UNKNOWN_KEY
+ *  (outside), MGDT_ERR_NOT_FINITE (the message names the point; nothing is written),
+ *  MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_locate_points(const mgdt_mesh* m, int32_t outside, int64_t n,
+                                             const double* xyz, int64_t* tetrahedra,
+                                             double* weights);
+/** mgdt_mesh_locate_points() with 32-bit integers.
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_locate_points_i32(const mgdt_mesh* m, int32_t outside, int64_t n,
+                                                 const double* xyz, int32_t* tetrahedra,
+                                                 double* weights);
+
+/** Interpolates values that are given at the points of the mesh: linearly in each tetrahedron, as
+ *  finite elements of the first order do. Places are found as mgdt_mesh_locate_points() does.
+ *  @param outside   MGDT_OUTSIDE_NONE: NaN for a place outside of the mesh; MGDT_OUTSIDE_BOUNDARY:
+ *                   the value at the nearest place of its boundary
+ *  @param n_fields  how many numbers a point has, and a place gets; at least 0
+ *  @param values    n_fields numbers for each of the MGDT_MESH_STAT_POINTS points; those of one
+ *                   point are consecutive
+ *  @param n         number of places, at least 0
+ *  @param xyz       3 n coordinates of the places
+ *  @param[out] out  n_fields numbers for each place
+ *  @return as mgdt_mesh_locate_points(), and MGDT_ERR_TOO_LARGE
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_interpolate(const mgdt_mesh* m, int32_t outside, int64_t n_fields,
+                                           const double* values, int64_t n, const double* xyz,
+                                           double* out);
 
 /** Checks the mesh by itself, with exact arithmetic: all tetrahedra are positive, neighbours share
  *  faces, tetrahedra do not overlap, and regions end at faces; and if MGDT_MESH_STAT_IS_DELAUNAY is

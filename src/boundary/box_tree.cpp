@@ -4,13 +4,13 @@
 namespace mgdt {
 
 BoxTree::BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes, const StopRequest& stop)
-    : allocator_(allocator), boxes_(boxes), stop_(stop), order_(allocator), nodes_(allocator) {
+    : allocator_(allocator), boxes_(boxes), order_(allocator), nodes_(allocator) {
     const auto n = static_cast<std::uint32_t>(boxes.size());
     order_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) order_[i] = i;
     if (n == 0) return;
     const auto box_of = [this](std::uint32_t i) -> const BoundingBox& { return boxes_[i]; };
-    make_box_nodes(order_, 0, n, most_in_leaf, box_of, stop_, nodes_);
+    make_box_nodes(order_, 0, n, most_in_leaf, box_of, stop, nodes_);
 }
 
 bool BoxTree::divide(Pair pair, Buffer<Pair>& into) const {

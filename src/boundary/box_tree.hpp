@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "mesh/box_nodes.hpp"
 #include "parallel/team.hpp"
@@ -14,7 +15,7 @@ namespace mgdt {
 class BoxTree {
   public:
     // Makes the tree, in O(n log n). The boxes must not change while the tree is used. A request to
-    // stop ends this call and for_each_pair().
+    // stop ends this call.
     BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes, const StopRequest& stop);
 
     // Calls f(i, j, member) for each pair of boxes i < j that overlap, on all members of the team
@@ -26,6 +27,12 @@ class BoxTree {
     // Calls f(i) for each box i that overlaps a given one.
     template <class F>
     void for_each_at(const BoundingBox& box, F f) const;
+
+    // Finds the least value of the items in the boxes: calls f(i) for each box i whose items may
+    // have a value of at most `bound`. least(box) is a lower bound on the values in a box; f
+    // returns the new bound, which never increases.
+    template <class Least, class F>
+    void for_each_below(double bound, const Least& least, F f) const;
 
   private:
     static constexpr std::uint32_t most_in_leaf = 6;
@@ -40,7 +47,6 @@ class BoxTree {
 
     Allocator& allocator_;
     const Buffer<BoundingBox>& boxes_;
-    const StopRequest stop_;
     Buffer<std::uint32_t> order_;
     Buffer<BoxNode> nodes_;
 };
@@ -73,6 +79,33 @@ void BoxTree::for_each_at(const BoundingBox& box, F f) const {
     }
 }
 
+template <class Least, class F>
+void BoxTree::for_each_below(double bound, const Least& least, F f) const {
+    struct Visit {
+        std::uint32_t node;
+        double least;
+    };
+    Buffer<Visit> stack(allocator_);
+    if (!nodes_.empty()) stack.push_back({0, least(nodes_[0].box)});
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        if (visit.least > bound) continue;
+        const BoxNode& node = nodes_[visit.node];
+        if (!node.is_leaf()) {
+            // The more promising child comes first.
+            Visit first = {visit.node + 1, least(nodes_[visit.node + 1].box)};
+            Visit second = {node.second, least(nodes_[node.second].box)};
+            if (second.least < first.least) std::swap(first, second);
+            stack.push_back(second);
+            stack.push_back(first);
+            continue;
+        }
+        for (std::uint32_t i = node.begin; i < node.end; ++i)
+            if (least(boxes_[order_[i]]) <= bound) bound = f(order_[i]);
+    }
+}
+
 template <class F>
 void BoxTree::for_each_pair(Team& team, StageProgress& progress, F f) const {
     if (nodes_.empty()) return;
@@ -92,6 +125,7 @@ void BoxTree::for_each_pair(Team& team, StageProgress& progress, F f) const {
         std::swap(pairs, next);
     }
     constexpr std::size_t pairs_per_thread = 64;
+    const StopRequest stop = progress.stop_request();
     team.split(
         pairs.size(), pairs_per_thread, [&](std::size_t begin, std::size_t end, unsigned member) {
             Buffer<Pair> stack(allocator_);
@@ -100,7 +134,7 @@ void BoxTree::for_each_pair(Team& team, StageProgress& progress, F f) const {
                 progress.step(p, begin, end, member);
                 stack.push_back(pairs[p]);
                 while (!stack.empty()) {
-                    stop_.poll_in_step(steps++);
+                    stop.poll_in_step(steps++);
                     const Pair pair = stack.back();
                     stack.pop_back();
                     if (!divide(pair, stack))

@@ -50,15 +50,6 @@ Manner require_manner(const mgdt_triangulation* t, std::int32_t method, std::int
     return manner;
 }
 
-// Checks the number of fields of `rows` numbers each.
-std::size_t require_fields(std::int64_t fields, std::size_t rows) {
-    const std::size_t count = require_count(fields, "fields");
-    if (count != 0 && rows > PTRDIFF_MAX / (3 * sizeof(double)) / count)
-        fail(MGDT_ERR_TOO_LARGE, "%lld fields of %zu points are more than memory can hold",
-             static_cast<long long>(fields), rows);
-    return count;
-}
-
 template <class Int>
 void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outside, std::int64_t n,
              const double* xyz, std::int64_t offset_capacity, Int* offsets, std::int64_t capacity,

@@ -59,20 +59,26 @@ auto reasons(const MeshState& m) {
         return static_cast<std::int32_t>(m.report.reasons[t]);
     });
 }
+// Rows of a summary.
+constexpr std::size_t n_shapes = 3;
+double shape(const ShapeSummary& s, std::size_t i) {
+    return i == 0 ? s.least_angle : i == 1 ? s.largest_angle : s.mean_volume_length;
+}
+std::int64_t angles_in(const ShapeSummary& s, std::size_t bin) {
+    return static_cast<std::int64_t>(s.angles[bin]);
+}
+std::int64_t below(const ShapeSummary& s, std::size_t bound) {
+    return static_cast<std::int64_t>(s.tetrahedra_below[bound]);
+}
+
 auto angle_histogram(const MeshState& m) {
-    return before_and_after(m, ShapeSummary::angle_bins, [](const ShapeSummary& s, std::size_t i) {
-        return static_cast<std::int64_t>(s.angles[i]);
-    });
+    return before_and_after(m, ShapeSummary::angle_bins, angles_in);
 }
 auto tetrahedra_below(const MeshState& m) {
-    return before_and_after(m, ShapeSummary::bounds, [](const ShapeSummary& s, std::size_t i) {
-        return static_cast<std::int64_t>(s.tetrahedra_below[i]);
-    });
+    return before_and_after(m, ShapeSummary::bounds, below);
 }
 auto shapes(const MeshState& m) {
-    return before_and_after(m, 3, [](const ShapeSummary& s, std::size_t i) {
-        return i == 0 ? s.least_angle : i == 1 ? s.largest_angle : s.mean_volume_length;
-    });
+    return before_and_after(m, n_shapes, shape);
 }
 
 using M = MeshState;
@@ -133,6 +139,24 @@ extern "C" mgdt_status mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh* m, in
         require_pointer(x, "x");
         Team team(thread_count(m->object.settings()));
         measure_tetrahedra(m->object.value, of, team, m->object.allocator(), progress, x);
+    });
+}
+
+extern "C" mgdt_status mgdt_mesh_get_shape_summary(const mgdt_mesh* m, double* shapes,
+                                                   int64_t* angles, int64_t* tetrahedra_below) {
+    return guard_long(m, [&](StageProgress& progress) {
+        Team team(thread_count(m->object.settings()));
+        const ShapeSummary found =
+            summarize_shapes(m->object.value, team, m->object.allocator(), progress);
+        if (shapes)
+            for (std::size_t i = 0; i < of_mesh::n_shapes; ++i)
+                shapes[i] = of_mesh::shape(found, i);
+        if (angles)
+            for (std::size_t i = 0; i < ShapeSummary::angle_bins; ++i)
+                angles[i] = of_mesh::angles_in(found, i);
+        if (tetrahedra_below)
+            for (std::size_t i = 0; i < ShapeSummary::bounds; ++i)
+                tetrahedra_below[i] = of_mesh::below(found, i);
     });
 }
 

@@ -5,7 +5,10 @@
 #include "capi/handle.hpp"
 #include "improvement/mesh_improvement.hpp"
 #include "mgdt/mgdt_mesh.h"
+#include "platform/cached.hpp"
+#include "solid/boundary_places.hpp"
 #include "solid/given_mesh.hpp"
+#include "solid/mesh_locator.hpp"
 #include "solid/solid_mesh.hpp"
 
 namespace mgdt {
@@ -18,6 +21,8 @@ struct MeshState : SolidMesh {
         : SolidMesh(allocator),
           fixed_points(allocator),
           report(allocator),
+          locator(allocator),
+          boundary_places(allocator),
           input(allocator),
           fixed_input_points(allocator) {}
 
@@ -25,6 +30,10 @@ struct MeshState : SolidMesh {
         return points.size() / 3 - steiner_parameters.size();
     }
 
+    void forget_places() noexcept {
+        locator.forget();
+        boundary_places.forget();
+    }
     void clear_input() noexcept {
         has_input = false;
         input.points.reset();
@@ -38,6 +47,9 @@ struct MeshState : SolidMesh {
 
     Buffer<std::uint32_t> fixed_points;  // of this mesh
     ImprovementReport report;            // of its last improvement
+    // What finds places; forgotten when the mesh changes.
+    mutable Cached<MeshLocator> locator;
+    mutable Cached<BoundaryPlaces> boundary_places;
     // What the next build makes a mesh of, if points have been set since the last one.
     bool has_input = false;
     GivenMesh input;

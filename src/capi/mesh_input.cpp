@@ -75,6 +75,7 @@ void build(MeshObject& m, StageProgress& progress) {
         fail(MGDT_ERR_INVALID_ARGUMENT, "no tetrahedra have been set since the last build");
     SolidMesh made(m.allocator());
     link_mesh(state.input, m.settings().index_base, m.allocator(), progress, made);
+    state.forget_places();
     static_cast<SolidMesh&>(state) = std::move(made);
     state.fixed_points = std::move(state.fixed_input_points);
     state.report.clear();
@@ -83,6 +84,7 @@ void build(MeshObject& m, StageProgress& progress) {
 
 void improve(MeshObject& m, StageProgress& progress) {
     Team team(thread_count(m.settings()));
+    m.value.forget_places();
     improve_mesh(m.value, m.settings(), m.value.fixed_points, team, m.allocator(), progress,
                  m.value.report);
 }

@@ -21,6 +21,15 @@ inline std::size_t require_places(std::int64_t n) {
     return require_count(n);
 }
 
+// Checks the number of fields of `rows` numbers each.
+inline std::size_t require_fields(std::int64_t fields, std::size_t rows) {
+    const std::size_t count = require_count(fields, "fields");
+    if (count != 0 && rows > PTRDIFF_MAX / (3 * sizeof(double)) / count)
+        fail(MGDT_ERR_TOO_LARGE, "%lld fields of %zu points are more than memory can hold",
+             static_cast<long long>(fields), rows);
+    return count;
+}
+
 // The places of a query. Throws if a coordinate is not finite.
 inline PointSet finite_places(Team& team, std::size_t n, const double* xyz,
                               const mgdt_triangulation* t) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "order/curve_sort.hpp"
+#include "order/curve_split.hpp"
 #include "platform/stage_progress.hpp"
 #include "query/locate.hpp"
 #include "query/mesh_view.hpp"
@@ -27,29 +27,19 @@ void locate_each(const MeshView& view, const Locator& where, const PointSet& pla
         make_found(0u)(0, found_in, near);
         return;
     }
-    // Query points are sorted along a curve, so that each is near the previous one. Sorting in
-    // blocks limits the memory.
-    constexpr std::size_t most = std::size_t{1} << 20;
-    for (std::size_t begin = 0; begin < places.size; begin += most) {
-        PointSet block = places;
-        block.size = std::min(most, places.size - begin);
-        for (const double*& axis : block.axis) axis += 3 * begin;
-        StageProgress of_block = progress.within_items(begin, begin + block.size, places.size);
-        const CurveOrder order = sort_along_curve(view.team, block, view.allocator);
-        const auto index = [&](std::size_t k) { return begin + order.index(k); };
-        view.team.split(block.size, places_per_thread,
-                        [&](std::size_t first, std::size_t last, unsigned m) {
-                            auto&& found = make_found(m);
-                            std::size_t done = 0;
-                            where.locate_sequence(
-                                last - first, may_end_outside,
-                                [&](std::size_t k) { return xyz + 3 * index(first + k); },
-                                [&](std::size_t k, TetId t, TetId near) {
-                                    of_block.step(done++, 0, last - first, m);
-                                    found(index(first + k), t, near);
-                                });
-                        });
-    }
+    // Each query point is near the previous one.
+    split_along_curve(
+        view.team, places, view.allocator, places_per_thread, progress,
+        [&](std::size_t count, const auto& index, StageProgress& of_block, unsigned m) {
+            auto&& found = make_found(m);
+            std::size_t done = 0;
+            where.locate_sequence(
+                count, may_end_outside, [&](std::size_t k) { return xyz + 3 * index(k); },
+                [&](std::size_t k, TetId t, TetId near) {
+                    of_block.step(done++, 0, count, m);
+                    found(index(k), t, near);
+                });
+        });
 }
 
 // `places` are contiguous, in the caller's scale. `weights` may be null.

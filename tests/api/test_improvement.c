@@ -505,6 +505,136 @@ static void domain_mesh(void) {
     mgdt_domain_destroy(d);
 }
 
+/* Places inside, on faces, and outside; values between points. */
+static void places(void) {
+    static const double xyz[4 * 3] = {1.25, 1.5, 1.75, 0, 0, 0, -1, 1.5, 1.5, 2, 5.5, 1};
+    mgdt_mesh* const m = lattice_mesh();
+    int64_t found[4], wide[4];
+    int32_t narrow[4];
+    double weights[16], nearest[16], out[8], *values = malloc(2 * n_points * sizeof *values);
+    int64_t *v = array_of(m, MGDT_MESH_ARRAY_TETRAHEDRA), i, k, j;
+    for (i = 0; i < n_points; ++i) {
+        values[2 * i] = 1 + lattice_points[3 * i] - 2 * lattice_points[3 * i + 1];
+        values[2 * i + 1] = lattice_points[3 * i + 2];
+    }
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, 4, xyz, found, weights), MGDT_OK);
+    CHECK(found[0] >= 0 && found[1] == 0 && found[2] == -1 && found[3] == -1);
+    for (k = 8; k < 16; ++k) CHECK(weights[k] == 0);
+    CHECK_EQUAL(mgdt_mesh_locate_points_i32(m, MGDT_OUTSIDE_NONE, 4, xyz, narrow, NULL), MGDT_OK);
+    for (i = 0; i < 4; ++i) CHECK_EQUAL(narrow[i], found[i]);
+    set(m, MGDT_MESH_OPTION_INDEX_BASE, 1);
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_BOUNDARY, 4, xyz, wide, nearest), MGDT_OK);
+    for (i = 0; i < 2; ++i) CHECK_EQUAL(wide[i], found[i] + 1);
+    for (i = 2; i < 4; ++i) {
+        double x[3] = {0, 0, 0};
+        CHECK(wide[i] >= 1);
+        for (k = 0; k < 4; ++k)
+            for (j = 0; j < 3; ++j)
+                x[j] += nearest[4 * i + k] * lattice_points[3 * v[4 * (wide[i] - 1) + k] + j];
+        for (j = 0; j < 3; ++j) {
+            const double at = xyz[3 * i + j];
+            CHECK(fabs(x[j] - (at < 0 ? 0 : at > side ? side : at)) < 1e-14);
+        }
+    }
+    set(m, MGDT_MESH_OPTION_INDEX_BASE, 0);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_NONE, 2, values, 4, xyz, out), MGDT_OK);
+    CHECK(fabs(out[0] - (1 + 1.25 - 3)) < 1e-13 && fabs(out[1] - 1.75) < 1e-13);
+    CHECK(out[4] != out[4] && out[7] != out[7]);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_BOUNDARY, 2, values, 4, xyz, out), MGDT_OK);
+    CHECK(fabs(out[4] - (1 - 3)) < 1e-13 && fabs(out[5] - 1.5) < 1e-13);
+    CHECK(fabs(out[6] - (1 + 2 - 8)) < 1e-13 && fabs(out[7] - 1) < 1e-13);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_NONE, 0, NULL, 4, xyz, NULL), MGDT_OK);
+
+    /* What finds places does not outlive the mesh that it is for. */
+    set(m, MGDT_MESH_OPTION_GOAL, 30);
+    CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, 1, xyz, found, weights), MGDT_OK);
+    free(v);
+    v = array_of(m, MGDT_MESH_ARRAY_TETRAHEDRA);
+    {
+        double* const points = doubles_of(m, MGDT_MESH_ARRAY_POINTS);
+        for (j = 0; j < 3; ++j) {
+            double x = 0;
+            for (k = 0; k < 4; ++k) x += weights[k] * points[3 * v[4 * found[0] + k] + j];
+            CHECK(fabs(x - xyz[j]) < 1e-14);
+        }
+        free(points);
+    }
+
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NEAREST, 1, xyz, found, NULL),
+                MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, -1, xyz, found, NULL),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, 1, NULL, found, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, 1, xyz, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    out[0] = NAN;
+    CHECK_EQUAL(mgdt_mesh_locate_points(m, MGDT_OUTSIDE_NONE, 1, out, found, NULL),
+                MGDT_ERR_NOT_FINITE);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_NONE, 1, NULL, 1, xyz, out),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_NONE, -1, values, 1, xyz, out),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_mesh_interpolate(m, MGDT_OUTSIDE_LINEAR, 1, values, 1, xyz, out),
+                MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_mesh_locate_points(NULL, MGDT_OUTSIDE_NONE, 0, NULL, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_locate_points_i32(NULL, MGDT_OUTSIDE_NONE, 0, NULL, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_interpolate(NULL, MGDT_OUTSIDE_NONE, 0, NULL, 0, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    free(v);
+    free(values);
+    mgdt_mesh_destroy(m);
+    /* A mesh without tetrahedra has nothing inside. */
+    {
+        mgdt_mesh* empty = NULL;
+        CHECK_EQUAL(mgdt_mesh_create(&empty), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_locate_points(empty, MGDT_OUTSIDE_BOUNDARY, 4, xyz, found, weights),
+                    MGDT_OK);
+        for (i = 0; i < 4; ++i) CHECK_EQUAL(found[i], -1);
+        mgdt_mesh_destroy(empty);
+    }
+}
+
+/* The summary of a mesh is that of the improvement that has made it. */
+static void shape_summary(void) {
+    mgdt_mesh* const m = lattice_mesh();
+    double found[3], *shapes;
+    int64_t angles[18], below[6], *histogram, *counts, i;
+    CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_get_shape_summary(m, found, angles, below), MGDT_OK);
+    shapes = doubles_of(m, MGDT_MESH_ARRAY_SHAPES);
+    histogram = array_of(m, MGDT_MESH_ARRAY_ANGLE_HISTOGRAM);
+    counts = array_of(m, MGDT_MESH_ARRAY_TETRAHEDRA_BELOW);
+    for (i = 0; i < 3; ++i) CHECK(found[i] == shapes[2 * i + 1]);
+    for (i = 0; i < 18; ++i) CHECK_EQUAL(angles[i], histogram[2 * i + 1]);
+    for (i = 0; i < 6; ++i) CHECK_EQUAL(below[i], counts[2 * i + 1]);
+    free(shapes);
+    free(histogram);
+    free(counts);
+    CHECK_EQUAL(mgdt_mesh_get_shape_summary(m, NULL, NULL, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_get_shape_summary(NULL, found, NULL, NULL), MGDT_ERR_NULL_POINTER);
+    mgdt_mesh_destroy(m);
+    /* A cube's angles are multiples of 15 degrees, which rounding does not move. */
+    {
+        static const double cube[8 * 3] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0,
+                                           0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+        static const int64_t corners[24] = {0, 1, 3, 7, 0, 1, 5, 7, 0, 2, 3, 7,
+                                            0, 2, 6, 7, 0, 4, 5, 7, 0, 4, 6, 7};
+        mgdt_mesh* c = NULL;
+        CHECK_EQUAL(mgdt_mesh_create(&c), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_set_points(c, 8, cube), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_set_tetrahedra(c, 6, corners, NULL), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_build(c), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_get_shape_summary(c, found, angles, below), MGDT_OK);
+        CHECK(fabs(found[0] - 45) < 1e-12 && fabs(found[1] - 90) < 1e-12);
+        CHECK(angles[4] == 12 && angles[6] == 6 && angles[9] == 18);
+        mgdt_mesh_destroy(c);
+    }
+}
+
 /* An improvement that needs more memory than allowed changes nothing. */
 static void memory_limit(void) {
     mgdt_mesh* const m = lattice_mesh();
@@ -539,5 +669,7 @@ void test_improvement(void) {
     unreachable_goal();
     cancel();
     domain_mesh();
+    places();
+    shape_summary();
     memory_limit();
 }

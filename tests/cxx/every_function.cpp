@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A program that calls every function of the C++ interface once, and needs no RTTI. Compiled by
 // headers_test.py with each compiler and standard; results are the other tests' part.
+#include <cmath>
 #include <mgdt/mgdt.hpp>
 #include <new>
 #include <vector>
@@ -129,6 +130,17 @@ bool calls_mesh() {
     } catch (const mgdt::Error& e) {
         if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
     }
+    const std::vector<mgdt::Point> places{{0.1, 0.2, 0.3}, {-1, 0.2, 0.3}};
+    const std::vector<std::int64_t> found = mesh.locate_points(places);
+    if (found[0] < 0 || found[1] != -1) return false;
+    if (mesh.locate_with_weights(places, mgdt::Outside::boundary).tetrahedra[1] < 0) return false;
+    if (!mesh.contains(places[0]) || mesh.contains(places[1])) return false;
+    std::vector<double> heights;
+    for (const mgdt::Point& p : mesh.points()) heights.push_back(p[2]);
+    const std::vector<double> values = mesh.interpolate(heights, places, mgdt::Outside::boundary);
+    if (std::abs(values[0] - 0.3) > 1e-15 || std::abs(values[1] - 0.3) > 1e-15) return false;
+    const mgdt::ShapeSummary shapes = mesh.shape_summary();
+    if (!(shapes.least_angle > 30) || shapes.angles[0] != 0) return false;
     mgdt::Mesh with_memory(nullptr, nullptr, nullptr);
     try {
         with_memory.build();

@@ -183,6 +183,22 @@ Kind mesh() {
               return s != MGDT_OK || n > 0 ? s : mgdt_mesh_build(m(h));
           }},
          {"check", [m](void* h) { return mgdt_mesh_check(m(h)); }},
+         {"locate",
+          [m](void* h) {
+              std::int64_t found[2];
+              double weights[8];
+              const double places[] = {0.5, 0.5, 0.5, 9, 9, 9};
+              return mgdt_mesh_locate_points(m(h), MGDT_OUTSIDE_BOUNDARY, 2, places, found,
+                                             weights);
+          }},
+         {"interpolate",
+          [m](void* h) {
+              double values[27] = {}, out[2];
+              const double places[] = {0.5, 0.5, 0.5, 9, 9, 9};
+              return mgdt_mesh_interpolate(m(h), MGDT_OUTSIDE_BOUNDARY, 1, values, 2, places, out);
+          }},
+         {"summary",
+          [m](void* h) { return mgdt_mesh_get_shape_summary(m(h), nullptr, nullptr, nullptr); }},
          {"improve",
           [m](void* h) {
               mgdt_status s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_GOAL, 35);

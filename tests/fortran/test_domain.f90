@@ -236,6 +236,10 @@ contains
         integer :: corners(4, 12), i, stat
         integer, allocatable :: markers(:), below(:, :), reasons(:)
         integer(int64), allocatable :: long(:, :)
+        real(real64), parameter :: places(3, 2) = reshape([real(real64) :: 1.25, 1, 0.5, 3, 0.5, 1], [3, 2])
+        real(real64) :: weights(4, 2), values(3, 2), summary(3)
+        integer(int64) :: found_long(2), counts(18), few(6)
+        integer :: found(2)
         character(200) :: message
 
         xyz(:, :8) = tower(:, :8)
@@ -275,6 +279,31 @@ contains
         call mesh%get_tetrahedron_measures(mgdt_tetrahedron_volume, volumes)
         volume = sum(volumes)
         call expect(abs(volume - 8) < 1e-12_real64, 'the volume')
+
+        ! Places inside and outside, values there, and the shapes.
+        call mesh%locate_points(places, found, weights)
+        call expect(found(1) > 0 .and. found(2) == 0, 'located')
+        call expect(all(abs(weights(:, 2)) <= 0) .and. abs(sum(weights(:, 1)) - 1) < 1e-12_real64, 'weights')
+        call mesh%locate_points(places, found_long, outside=mgdt_outside_boundary)
+        call expect(found_long(1) == found(1) .and. found_long(2) > 0, 'located at the boundary')
+        call mesh%get(mgdt_mesh_array_points, points)
+        call mesh%interpolate(points, places, values, mgdt_outside_boundary)
+        call expect(all(abs(values(:, 1) - places(:, 1)) < 1e-12_real64), 'a value inside')
+        call expect(all(abs(values(:, 2) - [2.0_real64, 0.5_real64, 1.0_real64]) < 1e-12_real64), &
+                    'a value of the boundary')
+        call mesh%interpolate(points, places, values)
+        call expect(ibits(transfer(values(1, 2), 0_int64), 52, 11) == 2047, 'no value outside')
+        call mesh%get_shape_summary(summary, counts, few)
+        call expect(all(abs(summary - shapes(2, :)) <= 0), 'the shapes')
+        call expect(sum(counts) == 6*size(volumes) .and. all(few == below(2, :)), 'the angles')
+        call mesh%locate_points(places(:2, :), found, stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'first extent 2')
+        call mesh%locate_points(places, found(:1), stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'last extent 1')
+        call mesh%interpolate(points(:, :3), places, values, stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'values has the last extent 3')
+        call mesh%locate_points(places, found, outside=mgdt_outside_nearest, stat=stat, errmsg=message)
+        call expect_error(stat, mgdt_err_unknown_key, message, '20')
 
         ! Fixed points, and 64 bits.
         call other%set_option(mgdt_mesh_option_threads, 2)

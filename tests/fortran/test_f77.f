@@ -818,7 +818,8 @@
       DOUBLE PRECISION VOLS(MAXT)
       DOUBLE PRECISION XYZ(3, 12), P(3, 2), GOT(3, 12), V(9), VOL
       DOUBLE PRECISION CROSS(3, 6), BYTES
-      INTEGER HM(4), ITM(4, 2)
+      INTEGER HM(4), ITM(4, 2), ITP(2), IANG(18), IBEL(6)
+      DOUBLE PRECISION WP(8)
       DOUBLE PRECISION PM(3, 5), SHAPES(6)
       CHARACTER*256 TEXT
       LOGICAL YES
@@ -986,6 +987,18 @@
       CALL EXPECT(IERR .EQ. 0, 'the improved mesh')
       CALL MGUNUM(HM, MGUNRG, N, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 2, 'two regions')
+      CALL MGULOC(HM, MGXBOU, 2, PM(1, 4), ITP, WP, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. ITP(1) .GE. 1 .AND.
+     &            ABS(WP(1) + WP(2) + WP(3) + WP(4) - 1) .LT. 1D-12,
+     &            'MGULOC')
+      CALL MGULOC(HM, MGXNEA, 2, PM, ITP, WP, IERR)
+      CALL EXPECT(IERR .EQ. MGEKEY, 'not of meshes')
+      CALL MGUVAL(HM, MGXNON, 3, PM, 2, PM(1, 4), WP, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. ABS(WP(4) - 1) .LT. 1D-12,
+     &            'MGUVAL')
+      CALL MGUSUM(HM, SHAPES, IANG, IBEL, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. SHAPES(1) .GT. 0 .AND.
+     &            IANG(1) .EQ. 0 .AND. IBEL(1) .EQ. 0, 'MGUSUM')
       CALL MGUDBL(HM, MGUSHA, 6, SHAPES, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. SHAPES(2) .GE. SHAPES(1),
      &            'angles before and after')

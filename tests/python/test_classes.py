@@ -57,7 +57,7 @@ build = {
     "PeriodicDelaunay": lambda: mgdt.PeriodicDelaunay(points, [1] * 3),
     "PeriodicVoronoi": lambda: mgdt.PeriodicVoronoi(points, [1] * 3),
     "DomainMesh": lambda: mgdt.DomainMesh(*surface),
-    "Mesh": lambda: mgdt.Mesh(points[:5000], mgdt.Delaunay(points[:5000]).simplices).improve(40),
+    "Mesh": lambda: mgdt.Mesh(points[:5000], mgdt.Delaunay(points[:5000]).simplices).improve(30, most_passes=5),
 }[KIND]
 begin = time.monotonic()
 build()

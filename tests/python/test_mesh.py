@@ -95,6 +95,33 @@ class Mesh(unittest.TestCase):
         mesh.improve(28, keep="all")
         self.assertTrue((mesh.points[:len(POINTS)] == POINTS).all())
 
+    def test_places(self) -> None:
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        places = np.random.default_rng(2).uniform(-1, N + 1, (4, 50, 3))
+        places[0, 0] = np.nan
+        inside = ((places >= 0) & (places <= N)).all(axis=-1)
+        found, weights = mesh.locate(places)
+        self.assertTrue((mesh.contains(places) == inside).all())
+        self.assertTrue(((found >= 0) == inside).all())
+        self.assertTrue((mesh.find_simplex(places) == found).all())
+        self.assertEqual(weights.shape, (4, 50, 4))
+        self.assertEqual(abs(weights[~inside]).max(), 0)
+        reached = np.einsum("...k,...kd->...d", weights, mesh.points[mesh.simplices[found]])
+        self.assertLess(abs(reached - places)[inside].max(), 1e-13)
+        found, weights = mesh.locate(places[1], nearest=True)
+        self.assertGreaterEqual(found.min(), 0)
+        reached = np.einsum("...k,...kd->...d", weights, mesh.points[mesh.simplices[found]])
+        self.assertLess(abs(reached - np.clip(places[1], 0, N)).max(), 1e-13)
+        values = mesh.points @ [1, -2, 3]
+        self.assertTrue((np.isnan(mesh.interpolate(values, places)) == ~inside).all())
+        self.assertLess(abs(mesh.interpolate(mesh.points, places[1], nearest=True) - np.clip(places[1], 0, N)).max(), 1e-13)
+        self.assertEqual(mesh.interpolate(values, [1, 1, 1]).shape, ())
+        mesh.improve(30)
+        self.assertTrue((mesh.contains(places) == inside).all())
+        for call in (lambda: mesh.locate([1, 2]), lambda: mesh.interpolate(values[:-1], places)):
+            with self.assertRaises(ValueError):
+                call()
+
     def test_reasons(self) -> None:
         mesh = mgdt.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0.01]], [[0, 1, 2, 3]])
         done = mesh.improve()

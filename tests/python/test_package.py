@@ -98,7 +98,7 @@ class Packages(unittest.TestCase):
 
     def test_wheel_with_the_library(self):
         wheel = self.build(self.source, "--wheel", MGDT_BUNDLE_LIBRARY=LIBRARY)
-        self.assertRegex(wheel.name, r"^mgdt-1\.3\.0-py3-none-linux_\w+\.whl$")
+        self.assertRegex(wheel.name, r"^mgdt-1\.4\.0-py3-none-linux_\w+\.whl$")
         package, library = self.use(self.install(wheel))
         self.assertEqual(library, str(package / "libmgdt.so.1"))
         # A pure wheel from the same folder afterwards brings nothing of it.

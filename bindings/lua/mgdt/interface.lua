@@ -188,6 +188,14 @@ int32_t mgdt_mesh_get_array_i32(const mgdt_mesh *m, int32_t array, int64_t capac
 int32_t mgdt_mesh_get_doubles(const mgdt_mesh *m, int32_t array, int64_t capacity, double *values);
 int32_t mgdt_mesh_get_tetrahedron_measures(const mgdt_mesh *m, int32_t measure, int64_t capacity,
                                            double *x);
+int32_t mgdt_mesh_get_shape_summary(const mgdt_mesh *m, double *shapes, int64_t *angles,
+                                    int64_t *tetrahedra_below);
+int32_t mgdt_mesh_locate_points(const mgdt_mesh *m, int32_t outside, int64_t n, const double *xyz,
+                                int64_t *tetrahedra, double *weights);
+int32_t mgdt_mesh_locate_points_i32(const mgdt_mesh *m, int32_t outside, int64_t n,
+                                    const double *xyz, int32_t *tetrahedra, double *weights);
+int32_t mgdt_mesh_interpolate(const mgdt_mesh *m, int32_t outside, int64_t n_fields,
+                              const double *values, int64_t n, const double *xyz, double *out);
 int32_t mgdt_mesh_check(const mgdt_mesh *m);
 int32_t mgdt_mesh_get_error(const mgdt_mesh *m, int64_t capacity, char *buffer);
 int32_t mgdt_domain_create(mgdt_domain **out);

@@ -167,6 +167,19 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_mesh_get_array_i32": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_mesh_get_doubles": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_mesh_get_tetrahedron_measures": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_mesh_get_shape_summary": (c_int32, [c_void_p, c_void_p, c_void_p, c_void_p]),
+    "mgdt_mesh_locate_points": (
+        c_int32,
+        [c_void_p, c_int32, c_int64, c_void_p, c_void_p, c_void_p],
+    ),
+    "mgdt_mesh_locate_points_i32": (
+        c_int32,
+        [c_void_p, c_int32, c_int64, c_void_p, c_void_p, c_void_p],
+    ),
+    "mgdt_mesh_interpolate": (
+        c_int32,
+        [c_void_p, c_int32, c_int64, c_void_p, c_int64, c_void_p, c_void_p],
+    ),
     "mgdt_mesh_check": (c_int32, [c_void_p]),
     "mgdt_mesh_get_error": (c_int32, [c_void_p, c_int64, c_char_p]),
     "mgdt_domain_create": (c_int32, [POINTER(c_void_p)]),

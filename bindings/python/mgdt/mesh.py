@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._gate import Gate, interruptibly
+from ._insertion import SHORT
 from ._interface import CONSTANTS
 from ._keyed import Keyed
 from .export import to_meshio, to_pyvista
@@ -41,6 +42,20 @@ def markers_of(values: Optional[ArrayLike], n: int, name: str) -> Optional[NDArr
     if n and (wide.min() < -(1 << 31) or wide.max() >= 1 << 31):
         raise ValueError(f"{name} must fit 32-bit integers")
     return wide.astype(np.int32)
+
+
+def finite_places(places: ArrayLike) -> tuple[FloatArray, tuple[int, ...], NDArray[np.bool_]]:
+    """Those places whose coordinates are finite, the shape of all, and which of them they are."""
+    array = np.asarray(places, float)
+    if array.ndim < 1 or array.shape[-1] != 3:
+        raise ValueError(f"places must have the shape (..., 3), not {array.shape}")
+    rows = array.reshape(-1, 3)
+    is_finite = np.isfinite(rows).all(axis=1)
+    return np.ascontiguousarray(rows[is_finite]), array.shape[:-1], is_finite
+
+
+def _outside(nearest: bool) -> int:
+    return CONSTANTS["outside"]["boundary" if nearest else "none"]
 
 
 class MeshHandle(Keyed):
@@ -293,7 +308,8 @@ class Mesh:
 
         improvements, self._improvements = self._improvements, None
         try:
-            build(mesh, self._gate, progress, len(self.simplices), change, "improve")
+            # A small mesh may need many passes.
+            build(mesh, self._gate, progress, SHORT, change, "improve")
         finally:
             self._read()
         arguments = {
@@ -355,6 +371,72 @@ class Mesh:
                 return self._mesh.measures(measure)
 
         return interruptibly(read, True)
+
+    def find_simplex(self, places: ArrayLike, *, nearest: bool = False) -> IndexArray:
+        """The simplices that contain places, exactly, also where the mesh is not convex; -1 outside.
+
+        Parameters
+        ----------
+        places : (..., 3) array. A place with a coordinate that is not finite is outside
+        nearest : whether a place outside gets the simplex of the nearest place of the boundary
+        """
+        return self.locate(places, nearest=nearest)[0]
+
+    def locate(self, places: ArrayLike, *, nearest: bool = False) -> tuple[IndexArray, FloatArray]:
+        """The simplices that contain places, and barycentric weights in the order of the vertices in
+        `simplices`; -1 and zeros outside.
+
+        Parameters
+        ----------
+        places : (..., 3) array
+        nearest : whether a place outside gets the simplex and the weights of the nearest place of the
+            boundary
+        """
+        xyz, shape, is_finite = finite_places(places)
+        found = np.full(len(is_finite), -1, np.int32)
+        weights = np.zeros((len(is_finite), 4))
+        inside, of_inside = np.empty(len(xyz), np.int32), np.empty((len(xyz), 4))
+
+        def read(is_left: Callable[[], bool]) -> None:
+            with self._gate.reading(is_left):
+                self._mesh.call("locate_points_i32", _outside(nearest), len(xyz), address(xyz), address(inside),
+                                address(of_inside))
+
+        interruptibly(read, True)
+        found[is_finite], weights[is_finite] = inside, of_inside
+        return found.reshape(shape), weights.reshape(*shape, 4)
+
+    def contains(self, places: ArrayLike) -> NDArray[np.bool_]:
+        """Whether places are in the mesh, its boundary included, exactly."""
+        return self.find_simplex(places) >= 0
+
+    def interpolate(self, values: ArrayLike, places: ArrayLike, *, nearest: bool = False) -> FloatArray:
+        """Values at places, linear in each simplex, as finite elements of the first order have them; NaN
+        outside.
+
+        Parameters
+        ----------
+        values : (n, ...) array, for each of the `points`
+        places : (..., 3) array
+        nearest : whether a place outside gets the value of the nearest place of the boundary
+        """
+        given = np.asarray(values, float)
+        if given.ndim < 1 or len(given) != len(self.points):
+            raise ValueError(f"values must have the length {len(self.points)}, not {given.shape}")
+        of_points = np.ascontiguousarray(given.reshape(len(given), -1))
+        xyz, shape, is_finite = finite_places(places)
+        fields = of_points.shape[1]
+        out = np.full((len(is_finite), fields), np.nan)
+        found = np.empty((len(xyz), fields))
+
+        def read(is_left: Callable[[], bool]) -> None:
+            with self._gate.reading(is_left):
+                self._mesh.call("interpolate", _outside(nearest), fields, address(of_points), len(xyz),
+                                address(xyz), address(found))
+
+        interruptibly(read, True)
+        out[is_finite] = found
+        return out.reshape((*shape, *given.shape[1:]))
 
     def to_meshio(self) -> Any:
         """Points, tetrahedra and faces as a ``meshio.Mesh``. Cell data "marker" has the markers of the

@@ -3,6 +3,7 @@
 #ifndef MGDT_CXX_MESH_HPP
 #define MGDT_CXX_MESH_HPP
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -40,6 +41,15 @@ struct MeshCalls {
 };
 
 }  // namespace detail
+
+/** The shapes of all tetrahedra of a mesh; mgdt_mesh_get_shape_summary(). @since 1.4 */
+struct ShapeSummary {
+    double least_angle = 0, largest_angle = 0; /**< Dihedral angles, in degrees. */
+    double mean_volume_length = 0;             /**< Mean of TetrahedronMeasure::volume_length. */
+    std::array<std::int64_t, 18> angles{};     /**< Angles from 0 to 10 degrees, 10 to 20, ... */
+    /** Tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees. */
+    std::array<std::int64_t, 6> tetrahedra_below{};
+};
 
 /** A mesh of tetrahedra, which Domain::build() makes, or build(); see mgdt_mesh.h. It can be moved,
  *  not copied.
@@ -114,11 +124,73 @@ class Mesh : public detail::Results<detail::MeshCalls> {
                                                    static_cast<std::int64_t>(x.size()), x.data()));
         return x;
     }
+    /** The shapes of all tetrahedra in a few numbers; mgdt_mesh_get_shape_summary(). @throw
+     *  OutOfMemory, Error @since 1.4 */
+    [[nodiscard]] ShapeSummary shape_summary() const {
+        ShapeSummary s;
+        double shapes[3] = {};
+        require(
+            mgdt_mesh_get_shape_summary(get(), shapes, s.angles.data(), s.tetrahedra_below.data()));
+        s.least_angle = shapes[0];
+        s.largest_angle = shapes[1];
+        s.mean_volume_length = shapes[2];
+        return s;
+    }
+
+    /** The tetrahedra that contain points, or none; mgdt_mesh_locate_points().
+     *  @param outside  Outside::none or Outside::boundary
+     *  @throw OutOfMemory, Error, std::bad_alloc (the vector's)
+     *  @since 1.4 */
+    [[nodiscard]] std::vector<std::int64_t> locate_points(Points points,
+                                                          Outside outside = Outside::none) const {
+        std::vector<std::int64_t> found(points.count());
+        locate(points, outside, found.data(), nullptr);
+        return found;
+    }
+    /** The same with the barycentric coordinates. @since 1.4 */
+    [[nodiscard]] Located<std::int64_t> locate_with_weights(Points points,
+                                                            Outside outside = Outside::none) const {
+        Located<std::int64_t> found;
+        found.tetrahedra.resize(points.count());
+        found.weights.resize(points.count());
+        locate(points, outside, found.tetrahedra.data(),
+               found.weights.empty() ? nullptr : found.weights[0].data());
+        return found;
+    }
+    /** Whether the mesh contains a point, exactly. @throw OutOfMemory, Error @since 1.4 */
+    [[nodiscard]] bool contains(const Point& xyz) const {
+        std::int64_t found = 0;
+        require(mgdt_mesh_locate_points(get(), MGDT_OUTSIDE_NONE, 1, xyz.data(), &found, nullptr));
+        return found >= option(MeshOption::index_base);
+    }
+    /** Interpolates values at places from values at the points, with `fields` consecutive numbers
+     *  per point and place; mgdt_mesh_interpolate().
+     *  @param outside  Outside::none or Outside::boundary
+     *  @throw OutOfMemory, Error, std::bad_alloc (the vector's)
+     *  @since 1.4 */
+    [[nodiscard]] std::vector<double> interpolate(Span<const double> values, Points places,
+                                                  Outside outside = Outside::none,
+                                                  std::size_t fields = 1) const {
+        const auto points = static_cast<std::size_t>(statistic(MeshStatistic::points));
+        detail::require_size(values.size() == fields * points,
+                             "there are not as many values as points and fields");
+        std::vector<double> out(fields * places.count());
+        require(mgdt_mesh_interpolate(
+            get(), static_cast<std::int32_t>(outside), static_cast<std::int64_t>(fields),
+            values.data(), static_cast<std::int64_t>(places.count()), places.data(), out.data()));
+        return out;
+    }
+
     /** mgdt_mesh_check(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws */
     void check() const { require(mgdt_mesh_check(get())); }
 
   private:
+    void locate(Points points, Outside outside, std::int64_t* tetrahedra, double* weights) const {
+        require(mgdt_mesh_locate_points(get(), static_cast<std::int32_t>(outside),
+                                        static_cast<std::int64_t>(points.count()), points.data(),
+                                        tetrahedra, weights));
+    }
     template <class Set>
     void set_items(Set set, std::size_t each, Span<const std::int64_t> corners,
                    Span<const std::int32_t> markers) {

@@ -773,6 +773,37 @@ extern "C" {
         capacity: i64,
         x: *mut f64,
     ) -> mgdt_status;
+    pub fn mgdt_mesh_get_shape_summary(
+        m: *const mgdt_mesh,
+        shapes: *mut f64,
+        angles: *mut i64,
+        tetrahedra_below: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_locate_points(
+        m: *const mgdt_mesh,
+        outside: i32,
+        n: i64,
+        xyz: *const f64,
+        tetrahedra: *mut i64,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_locate_points_i32(
+        m: *const mgdt_mesh,
+        outside: i32,
+        n: i64,
+        xyz: *const f64,
+        tetrahedra: *mut i32,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_interpolate(
+        m: *const mgdt_mesh,
+        outside: i32,
+        n_fields: i64,
+        values: *const f64,
+        n: i64,
+        xyz: *const f64,
+        out: *mut f64,
+    ) -> mgdt_status;
     pub fn mgdt_mesh_check(m: *const mgdt_mesh) -> mgdt_status;
     pub fn mgdt_mesh_get_error(
         m: *const mgdt_mesh,
