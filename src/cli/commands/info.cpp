@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "cli/commands/help.hpp"
 #include "cli/counts.hpp"
 #include "cli/errors.hpp"
+#include "cli/mesh_program.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt::cli {
@@ -49,6 +51,31 @@ std::size_t duplicates(const std::vector<double>& points) {
     return count;
 }
 
+// Prints the shapes of the tetrahedra, if they are a mesh.
+template <class Line>
+void print_shapes(const Mesh& mesh, const std::string& name, const Line& line) {
+    mgdt::ShapeSummary shapes;
+    try {
+        Mesh bare;
+        bare.points = mesh.points;
+        bare.tetrahedra = mesh.tetrahedra;
+        shapes = make_mesh(bare, 1, 0, name).shape_summary();
+    } catch (const Error& e) {
+        line("no mesh", e.what());
+        return;
+    }
+    line("angles",
+         fmt::format("{:.4g} to {:.4g} degrees", shapes.least_angle, shapes.largest_angle));
+    line("mean shape", fmt::format("{:.3f}", shapes.mean_volume_length));
+    for (std::size_t i = 0; i < shapes.angles.size(); ++i) {
+        const double share = static_cast<double>(shapes.angles[i]) /
+                             static_cast<double>(6 * mesh.tetrahedron_count());
+        const auto bar = static_cast<std::size_t>(std::lround(60 * share));
+        line(fmt::format("{:>4} to {}", 10 * i, 10 * (i + 1)).c_str(),
+             fmt::format("{:>5.1f} % {}", 100 * share, std::string(bar, '#')));
+    }
+}
+
 int info(const InputOptions& options) {
     const Format* format = nullptr;
     const Mesh mesh = read_input(options, &format);
@@ -80,6 +107,7 @@ int info(const InputOptions& options) {
         line(k == 0 ? "box" : "", fmt::format("{} {} {}{}", v[0], v[1], v[2],
                                               mesh.box->repeats[k] ? "" : ", not periodic"));
     }
+    if (mesh.tetrahedron_count() > 0) print_shapes(mesh, input_name(options.path), line);
     return exit_ok;
 }
 

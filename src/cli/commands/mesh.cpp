@@ -2,7 +2,6 @@
 // mgdt mesh: fills what facets enclose with tetrahedra.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "cli/domain_program.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/mesh_program.hpp"
 #include "cli/progress.hpp"
 #include "cli/unused_points.hpp"
 
@@ -28,6 +28,8 @@ struct MeshOptions {
     bool rounded = false;     // write rounded points, which facets cover exactly
     bool strict = false;      // refuse a mesh that leaves out a part of the input
     bool all_points = false;  // also write points that are in no tetrahedron
+    bool improve = false;     // improve the tetrahedra before they are written
+    ImproveOptions improvement;
     int threads = 1;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
     bool quiet = false;
@@ -105,41 +107,6 @@ void warn_of_losses(const mgdt::Mesh& mesh, const std::string& name) {
     warn(MeshStatistic::unused_points, "point", "points", "in no tetrahedron");
 }
 
-// Adds the faces that are at a tetrahedron.
-void add_faces(const mgdt::Mesh& made, Mesh& mesh) {
-    const std::vector<MeshIndex> corners = made.array<MeshIndex>(MeshArray::faces),
-                                 tetrahedra = made.array<MeshIndex>(MeshArray::face_tetrahedra),
-                                 markers = made.array<MeshIndex>(MeshArray::face_markers);
-    for (std::size_t f = 0; f < markers.size(); ++f) {
-        const MeshIndex front = tetrahedra[2 * f], back = tetrahedra[2 * f + 1],
-                        t = back >= 0 ? back : front;
-        if (t < 0) continue;
-        const MeshIndex* const face = &corners[3 * f];
-        const MeshIndex* const tetrahedron = &mesh.tetrahedra[4 * static_cast<std::size_t>(t)];
-        std::uint32_t k = 0;
-        while (std::find(face, face + 3, tetrahedron[k]) != face + 3) ++k;
-        mesh.faces.corners.insert(mesh.faces.corners.end(), face, face + 3);
-        mesh.faces.markers.push_back(markers[f]);
-        mesh.faces.sides.push_back(4 * static_cast<std::uint32_t>(t) + k);
-    }
-}
-
-// The mesh, with the points that were read first.
-Mesh mesh_of(const mgdt::Mesh& made) {
-    Mesh mesh;
-    mesh.has_tetrahedra = true;
-    const std::vector<Point> points = made.points();
-    mesh.points.reserve(3 * points.size());
-    for (const Point& p : points) mesh.points.insert(mesh.points.end(), p.begin(), p.end());
-    mesh.tetrahedra = made.array<MeshIndex>(MeshArray::tetrahedra);
-    mesh.neighbors = made.array<MeshIndex>(MeshArray::neighbors);
-    const std::vector<MeshIndex> markers = made.array<MeshIndex>(MeshArray::region_markers);
-    for (const MeshIndex region : made.array<MeshIndex>(MeshArray::tetrahedron_regions))
-        mesh.regions.push_back(markers[static_cast<std::size_t>(region)]);
-    add_faces(made, mesh);
-    return mesh;
-}
-
 int mesh_surface(const MeshOptions& options) {
     const OutputOptions& output = options.output;
     std::vector<std::string> files;
@@ -149,6 +116,7 @@ int mesh_surface(const MeshOptions& options) {
     WriteOptions write;
     Mesh mesh;
     std::size_t n_facets = 0, n_points = 0, n_steiner = 0, n_regions = 0;
+    std::string said;  // of the improvement
     {
         Mesh input = read_facets(options.input);
         require_apart(input.inputs, {output.path});
@@ -156,10 +124,12 @@ int mesh_surface(const MeshOptions& options) {
         n_facets = input.facets.size();
         n_points = input.point_count();
         Domain domain = make_domain(input, options.threads, options.memory_limit, name);
-        const mgdt::Mesh made = build(domain, name, options);
+        mgdt::Mesh made = build(domain, name, options);
+        if (!options.quiet) warn_of_losses(made, name);
+        if (options.improve)
+            said = improve_mesh(made, options.improvement, options.check, options.quiet, name);
         n_steiner = static_cast<std::size_t>(made.statistic(MeshStatistic::steiner_points));
         n_regions = static_cast<std::size_t>(made.statistic(MeshStatistic::regions));
-        if (!options.quiet) warn_of_losses(made, name);
         mesh = mesh_of(made);
         mesh.faces.names = input.facets.names;
         write = options_after(input, &format, output.write);
@@ -169,6 +139,7 @@ int mesh_surface(const MeshOptions& options) {
     format.write_mesh(mesh, output.path, outputs, write);
     if (format.write_neighbors) format.write_neighbors(mesh.neighbors, output.path, outputs, write);
     outputs.commit();
+    if (!options.quiet && output.path != "-") fmt::print("{}", said);
     if (!options.quiet && output.path != "-")
         fmt::print("{}, {}, {} added, {}, {}{}: {}\n", counted(n_facets, "facet", "facets"),
                    counted(n_points, "point", "points"), n_steiner,
@@ -196,6 +167,10 @@ const Command mesh_command = {
                        "Give the tetrahedra around this place a marker; may be repeated")
             ->delimiter(',')
             ->type_name("X,Y,Z,N");
+        CLI::Option* const improve = app.add_flag(
+            "--improve", options->improve,
+            "Improve the tetrahedra: exchange edges and faces, move and insert points");
+        add_improvement(app, options->improvement, {"all", "slide"}, improve);
         app.add_flag("--check", options->check, "Prove the mesh before writing");
         app.add_flag("--rounded", options->rounded,
                      "Write points rounded to 2^-36 of the largest coordinate, so that facets are "

@@ -23,6 +23,9 @@ struct ReadOptions {
     // Whether fields are read too: those with these names, or all if there are no names.
     bool has_fields = false;
     bool has_facets = false;  // whether facets are read too
+    // Whether the markers of tetrahedra, and triangles as facets, are read too, where the format
+    // has them.
+    bool has_markers = false;
     std::vector<std::string> field_names;
 };
 

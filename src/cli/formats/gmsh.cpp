@@ -313,6 +313,7 @@ void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags
     }
     for (int k = 0; k < nodes; ++k)
         mesh.add_node(static_cast<std::size_t>(k), tags.find(reader.size("node tag")));
+    if (facets) mesh.regions.push_back(marker);
 }
 
 int known_nodes(Reader& reader, std::int64_t type) {
@@ -441,7 +442,7 @@ Mesh read_gmsh(const Source& source, const ReadOptions& options) {
     Reader reader(source);
     reader.read_format(mesh);
     Tags tags(reader);
-    FileFacets* const facets = options.has_facets ? &mesh.facets : nullptr;
+    FileFacets* const facets = options.has_facets || options.has_markers ? &mesh.facets : nullptr;
     Groups groups;
     bool nodes = false, elements = false;
     std::string section;

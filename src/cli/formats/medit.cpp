@@ -4,6 +4,8 @@
 // INRIA, 2001, section 7.
 #include <fmt/core.h>
 
+#include <limits>
+
 #include "cli/formats/format.hpp"
 #include "cli/formats/text_rows.hpp"
 #include "cli/formats/words.hpp"
@@ -28,7 +30,30 @@ bool sniff(std::string_view bytes) {
     return bytes.substr(0, first_keyword.size()) == first_keyword;
 }
 
-Mesh read_medit(const Source& source, const ReadOptions&) {
+// Reads a reference as a marker.
+std::int32_t marker_of(Words& words) {
+    return static_cast<std::int32_t>(words.integer("reference",
+                                                   std::numeric_limits<std::int32_t>::min(),
+                                                   std::numeric_limits<std::int32_t>::max()));
+}
+
+// Reads triangles with their references as facets, or edges as segments.
+void read_facets(Words& words, std::size_t corners, Mesh& mesh) {
+    const std::size_t n = words.count("the number of cells", corners + 1);
+    const auto last = static_cast<std::int64_t>(mesh.point_count());
+    mesh.other_cells += n;
+    for (std::size_t i = 0; i < n; ++i) {
+        std::int64_t corner[3];
+        for (std::size_t k = 0; k < corners; ++k) corner[k] = words.integer("vertex", 1, last) - 1;
+        const std::int32_t marker = marker_of(words);
+        if (corners == 3)
+            mesh.facets.add_facet(corner, corners, marker);
+        else
+            mesh.facets.segments.insert(mesh.facets.segments.end(), corner, corner + 2);
+    }
+}
+
+Mesh read_medit(const Source& source, const ReadOptions& options) {
     Words words{LineReader(source)};
     Mesh mesh;
     std::string_view word;
@@ -60,8 +85,14 @@ Mesh read_medit(const Source& source, const ReadOptions&) {
             for (std::size_t i = 0; i < n; ++i) {
                 for (std::size_t k = 0; k < nodes; ++k)
                     mesh.add_node(k, words.integer("vertex", 1, last) - 1);
-                words.number("the tetrahedron's reference");
+                if (options.has_markers)
+                    mesh.regions.push_back(marker_of(words));
+                else
+                    words.number("the tetrahedron's reference");
             }
+        } else if (options.has_markers && has_vertices &&
+                   (word == "Triangles" || word == "Edges")) {
+            read_facets(words, word == "Triangles" ? 3 : 2, mesh);
         } else if (is_cell(word)) {
             mesh.other_cells += words.count("the number of cells", 1);
         } else if (is_keyword(word) || word[0] == '-' || word[0] == '+' || word[0] == '.' ||

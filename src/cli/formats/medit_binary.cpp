@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // INRIA's .meshb, the binary form of .mesh: numbered keywords, each with the position of the next
-// one. Vertices and tetrahedra are read, without their references. L. Maréchal, libMeshb's
+// one. Vertices and tetrahedra are read, and if they are asked for the references of tetrahedra,
+// triangles and edges. L. Maréchal, libMeshb's
 // description of the format, "The GMF library".
 #include <fmt/core.h>
 
@@ -47,7 +48,8 @@ bool sniff(std::string_view bytes) {
 
 class Reader {
   public:
-    explicit Reader(const Source& source) : source_(source), bytes_(source, 0, false) {}
+    Reader(const Source& source, bool has_markers)
+        : source_(source), bytes_(source, 0, false), has_markers_(has_markers) {}
 
     Mesh read() {
         if (!sniff(source_.bytes)) source_.fail_at_byte(0, "not a binary mesh of INRIA's");
@@ -73,6 +75,9 @@ class Reader {
                 read_tetrahedra(4, has_vertices);
             } else if (keyword == quadratic_tetrahedra_keyword) {
                 read_tetrahedra(10, has_vertices);
+            } else if (has_markers_ && has_vertices &&
+                       (keyword == triangles_keyword || keyword == edges_keyword)) {
+                read_facets(keyword == triangles_keyword ? 3 : 2);
             } else if (is_other_cell(keyword)) {
                 mesh_.other_cells += count("cells", 2);
             }
@@ -116,26 +121,50 @@ class Reader {
         const std::size_t n = count("tetrahedra", nodes + 1);
         const auto last = static_cast<std::int64_t>(mesh_.point_count());
         for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t k = 0; k < nodes; ++k) {
-                const std::int64_t v = integer("a vertex");
-                if (v < 1 || v > last)
-                    bytes_.fail(fmt::format("vertex {}, but there are {} vertices", v, last));
-                mesh_.add_node(k, v - 1);
-            }
-            integer("a tetrahedron's reference");
+            for (std::size_t k = 0; k < nodes; ++k) mesh_.add_node(k, vertex(last));
+            const std::int32_t marker = reference("a tetrahedron's reference");
+            if (has_markers_) mesh_.regions.push_back(marker);
+        }
+    }
+    std::int64_t vertex(std::int64_t last) {
+        const std::int64_t v = integer("a vertex");
+        if (v < 1 || v > last)
+            bytes_.fail(fmt::format("vertex {}, but there are {} vertices", v, last));
+        return v - 1;
+    }
+    // A reference, which has to fit 32 bits if it is used as a marker.
+    std::int32_t reference(const char* what) {
+        const std::int64_t value = integer(what);
+        if (has_markers_ && value != static_cast<std::int32_t>(value))
+            bytes_.fail(fmt::format("{}, {}, does not fit 32 bits", what, value));
+        return static_cast<std::int32_t>(value);
+    }
+    void read_facets(std::size_t corners) {
+        const std::size_t n = count("cells", corners + 1);
+        const auto last = static_cast<std::int64_t>(mesh_.point_count());
+        mesh_.other_cells += n;
+        for (std::size_t i = 0; i < n; ++i) {
+            std::int64_t corner[3];
+            for (std::size_t k = 0; k < corners; ++k) corner[k] = vertex(last);
+            const std::int32_t marker = reference("a reference");
+            if (corners == 3)
+                mesh_.facets.add_facet(corner, corners, marker);
+            else
+                mesh_.facets.segments.insert(mesh_.facets.segments.end(), corner, corner + 2);
         }
     }
 
     const Source& source_;
     ByteReader bytes_;
+    const bool has_markers_;
     Mesh mesh_;
     std::int32_t version_ = 0;
     // Whether tetrahedra with this number of nodes have been read.
     std::array<bool, 11> nodes_read_ = {};
 };
 
-Mesh read_medit_binary(const Source& source, const ReadOptions&) {
-    return Reader(source).read();
+Mesh read_medit_binary(const Source& source, const ReadOptions& options) {
+    return Reader(source, options.has_markers).read();
 }
 
 // Writes keywords in sequence. Their positions follow from their sizes.

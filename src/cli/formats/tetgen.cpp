@@ -68,7 +68,7 @@ void expect_end(LineReader& lines, std::int64_t count) {
     }
 }
 
-void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
+void read_elements(const Source& source, std::int64_t base, bool has_markers, Mesh& mesh) {
     LineReader lines(source);
     first_line(lines);
     Fields head(lines);
@@ -77,6 +77,7 @@ void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
     if (nodes != 4 && nodes != 10) {
         lines.fail(fmt::format("{} nodes a tetrahedron; 4 or 10 are possible", nodes));
     }
+    const bool reads_markers = has_markers && integer_or(0, head, "the number of attributes") > 0;
     check_count(lines, count, 5);
     mesh.tetrahedra.reserve(4 * static_cast<std::size_t>(count));
     const auto last = static_cast<std::int64_t>(mesh.point_count()) + base - 1;
@@ -86,6 +87,12 @@ void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
         fields.integer("the tetrahedron's number");
         for (std::int64_t k = 0; k < nodes; ++k)
             mesh.add_node(static_cast<std::size_t>(k), fields.integer("vertex", base, last) - base);
+        if (!reads_markers) continue;
+        // Attributes are numbers; the marker of a region is a whole one.
+        const double marker = fields.number("the tetrahedron's attribute");
+        if (!(marker >= -0x1p31 && marker < 0x1p31) || marker != static_cast<std::int32_t>(marker))
+            lines.fail(fmt::format("the attribute {} is no 32-bit integer", marker));
+        mesh.regions.push_back(static_cast<std::int32_t>(marker));
     }
     expect_end(lines, count);
     mesh.has_tetrahedra = true;
@@ -115,7 +122,7 @@ void read_neighbors(const Source& source, std::int64_t base, Mesh& mesh) {
 
 // A .node file has points only. With an .ele file, the .node file beside it is read, and the .neigh
 // file if there is one.
-Mesh read_tetgen(const Source& source, const ReadOptions&) {
+Mesh read_tetgen(const Source& source, const ReadOptions& options) {
     Mesh mesh;
     if (has_ending(source.path, ".neigh")) source.fail("has no points; name the .ele file");
     if (!has_ending(source.path, ".ele")) {
@@ -130,7 +137,7 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
     const InputFile nodes(beside(source, ".node"));
     add_input(nodes);
     const std::int64_t base = read_nodes(nodes.source(), mesh.points);
-    read_elements(source, base, mesh);
+    read_elements(source, base, options.has_markers, mesh);
     mesh.first_number = static_cast<int>(base);
     mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
     const std::string neigh = beside(source, ".neigh");
