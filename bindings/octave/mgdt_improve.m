@@ -71,22 +71,13 @@ function mesh = mgdt_improve (points, varargin)
     end
     given.(settings{k}) = settings{k + 1};
   end
-  corners = cell (1, 3);
-  rows_of = {tetrahedra, 4, "tetrahedra"; given.faces, 3, "faces"; given.edges, 2, "edges"};
-  for k = 1:3
-    if (! isempty (rows_of{k,1}) && columns (rows_of{k,1}) != rows_of{k,2})
-      error ("mgdt:invalid_argument", "mgdt: %s must have %d columns", rows_of{k,[3 2]});
-    end
-    corners{k} = double (vec (rows_of{k,1}'));
-  end
   number = @(value, names) find (strcmp (value, names)) - 1;
   boundary = number (given.boundary, {"fixed", "slide"});
   keep = number (given.keep, {"all", "numbers", "none"});
   if (isempty (boundary) || isempty (keep))
     error ("mgdt:invalid_argument", "mgdt: boundary is \"fixed\" or \"slide\"; keep is \"all\", \"numbers\" or \"none\"");
   end
-  mesh = mgdt_mex ("improve", double (points), corners{1}, double (given.markers(:)), corners{2}, ...
-                   double (given.face_markers(:)), corners{3}, double (given.edge_markers(:)), ...
-                   double (given.fixed(:)), given.goal, boundary, keep, given.mean_passes, ...
-                   given.most_passes, given.threads, given.memory_limit, given.progress, double (given.check));
+  items = mgdt_mesh_items (points, tetrahedra, given);
+  mesh = mgdt_mex ("improve", items{:}, double (given.fixed(:)), given.goal, boundary, keep, given.mean_passes, ...
+                   given.most_passes, given.progress, double (given.check));
 end

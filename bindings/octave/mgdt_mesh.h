@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Domains and meshes: what mgdt_domain_mesh.m, mgdt_improve.m and mgdt_offending_pairs.m call. */
+ * Domains and meshes: what mgdt_domain_mesh.m, mgdt_improve.m, mgdt_mesh_places.m and
+ * mgdt_offending_pairs.m call. */
 #ifndef MGDT_OCTAVE_MESH_H
 #define MGDT_OCTAVE_MESH_H
 
@@ -204,56 +205,60 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
     return result;
 }
 
-/* The improvement of a mesh: points, tetrahedra, markers, faces, markers of faces, edges, markers
- * of edges, fixed points, goal, boundary, what happens to points, mean passes, most passes,
- * threads, the memory limit, a progress function or [], and whether to check. All are read before a
- * mesh is made. */
-enum { mesh_arguments = 17 };
+/* Makes a mesh of points, tetrahedra, markers, faces, markers of faces, edges, markers of edges,
+ * threads and the memory limit. All are read before a mesh is made. */
+enum { mesh_items = 9 };
 
-static mxArray* improved_mesh(int count, const mxArray* const* given) {
-    int64_t n, n_corners, n_face_corners, n_ends, n_fixed, limit;
-    const double* xyz;
-    const int64_t *corners, *face_corners, *ends, *fixed;
-    const int32_t *of_tetrahedra, *of_faces, *of_edges;
-    static const int32_t keys[] = {MGDT_MESH_OPTION_GOAL,        MGDT_MESH_OPTION_BOUNDARY,
-                                   MGDT_MESH_OPTION_POINTS,      MGDT_MESH_OPTION_MEAN_PASSES,
-                                   MGDT_MESH_OPTION_MOST_PASSES, MGDT_MESH_OPTION_THREADS};
-    enum { n_keys = sizeof keys / sizeof *keys, first_key = 8 };
-    static const char* const names[n_keys] = {"goal",        "boundary",    "keep",
-                                              "mean_passes", "most_passes", "threads"};
-    int32_t values[n_keys];
-    progress p = {NULL, NULL};
-    const mxArray* function;
-    int is_checked, k;
-    mxArray* result;
-    mgdt_status status;
-    if (count < mesh_arguments) bad_argument("a mesh needs more arguments");
+static void make_mesh(const mxArray* const* given) {
+    int64_t n, n_corners, n_face_corners, n_ends;
+    const double* const xyz = places(given[0], "points", &n);
+    const int64_t* const corners = whole_numbers(given[1], "corners of tetrahedra", &n_corners);
+    const int32_t* const of_tetrahedra = markers(given[2], "markers", n_corners / 4);
+    const int64_t* const faces = whole_numbers(given[3], "corners of faces", &n_face_corners);
+    const int32_t* const of_faces = markers(given[4], "face_markers", n_face_corners / 3);
+    const int64_t* const ends = whole_numbers(given[5], "ends of edges", &n_ends);
+    const int32_t* const of_edges = markers(given[6], "edge_markers", n_ends / 2);
+    const int32_t threads = small(given[7], "threads");
+    const int64_t limit = integer(given[8], "memory_limit", 9e15);
     if (domain_is_busy)
         mexErrMsgIdAndTxt("mgdt:busy", "a progress function of a mesh may not use another mesh");
-    xyz = places(given[0], "points", &n);
-    corners = whole_numbers(given[1], "corners of tetrahedra", &n_corners);
-    of_tetrahedra = markers(given[2], "markers", n_corners / 4);
-    face_corners = whole_numbers(given[3], "corners of faces", &n_face_corners);
-    of_faces = markers(given[4], "face_markers", n_face_corners / 3);
-    ends = whole_numbers(given[5], "ends of edges", &n_ends);
-    of_edges = markers(given[6], "edge_markers", n_ends / 2);
-    fixed = whole_numbers(given[7], "fixed", &n_fixed);
-    for (k = 0; k < n_keys; ++k) values[k] = small(given[first_key + k], names[k]);
-    limit = integer(given[14], "memory_limit", 9e15);
-    function = given[15];
-    is_checked = number(given[16], "check") != 0;
-
     close_domain();
     if (mgdt.mesh_create(&mesh) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
     ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_INDEX_BASE, 1));
     ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_MEMORY_LIMIT, limit));
-    for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
+    ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_THREADS, threads));
     ensure_mesh(mgdt.mesh_set_points(mesh, n, xyz));
     ensure_mesh(mgdt.mesh_set_tetrahedra(mesh, n_corners / 4, corners, of_tetrahedra));
-    ensure_mesh(mgdt.mesh_set_faces(mesh, n_face_corners / 3, face_corners, of_faces));
+    ensure_mesh(mgdt.mesh_set_faces(mesh, n_face_corners / 3, faces, of_faces));
     ensure_mesh(mgdt.mesh_set_edges(mesh, n_ends / 2, ends, of_edges));
-    ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
     ensure_mesh(mgdt.mesh_build(mesh));
+}
+
+/* The improvement of a mesh. After the arguments of make_mesh(): fixed points, goal, boundary, what
+ * happens to points, mean passes, most passes, a progress function or [], and whether to check. */
+static mxArray* improved_mesh(int count, const mxArray* const* given) {
+    static const int32_t keys[] = {MGDT_MESH_OPTION_GOAL, MGDT_MESH_OPTION_BOUNDARY,
+                                   MGDT_MESH_OPTION_POINTS, MGDT_MESH_OPTION_MEAN_PASSES,
+                                   MGDT_MESH_OPTION_MOST_PASSES};
+    enum { n_keys = sizeof keys / sizeof *keys, first_key = mesh_items + 1 };
+    static const char* const names[n_keys] = {"goal", "boundary", "keep", "mean_passes",
+                                              "most_passes"};
+    int32_t values[n_keys];
+    progress p = {NULL, NULL};
+    const int64_t* fixed;
+    int64_t n_fixed;
+    const mxArray* function;
+    int is_checked, k;
+    mxArray* result;
+    mgdt_status status;
+    if (count < first_key + n_keys + 2) bad_argument("a mesh needs more arguments");
+    fixed = whole_numbers(given[mesh_items], "fixed", &n_fixed);
+    for (k = 0; k < n_keys; ++k) values[k] = small(given[first_key + k], names[k]);
+    function = given[first_key + n_keys];
+    is_checked = number(given[first_key + n_keys + 1], "check") != 0;
+    make_mesh(given);
+    ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
+    for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
     if (!mxIsEmpty(function)) {
         p.function = mxDuplicateArray(function);
         mgdt.mesh_set_progress(mesh, report, &p);
@@ -271,6 +276,52 @@ static mxArray* improved_mesh(int count, const mxArray* const* given) {
     result = struct_of_mesh(0);
     close_domain();
     return result;
+}
+
+/* Tetrahedra and weights of places in a mesh, and values there. After the arguments of make_mesh():
+ * places, whether the nearest place of the boundary stands for one outside, and values of the
+ * points, a row for each, or []. */
+static void mesh_places(int results, mxArray** to, int count, const mxArray* const* given) {
+    int64_t n, n_points = 0, fields;
+    const double *where, *values = NULL;
+    double *weights, *out;
+    int64_t* found;
+    int32_t outside;
+    if (count < mesh_items + 3) bad_argument("places in a mesh need more arguments");
+    where = places(given[mesh_items], "places", &n);
+    outside =
+        number(given[mesh_items + 1], "nearest") != 0 ? MGDT_OUTSIDE_BOUNDARY : MGDT_OUTSIDE_NONE;
+    fields = (int64_t)mxGetN(given[mesh_items + 2]);
+    if (!mxIsEmpty(given[mesh_items + 2])) {
+        const double* const by_columns =
+            columns(given[mesh_items + 2], (int)fields, "values", &n_points);
+        values = one_by_one(by_columns, (int)fields, n_points);
+    }
+    make_mesh(given);
+    if (values) {
+        int64_t points = 0;
+        ensure_mesh(mgdt.mesh_get_stat(mesh, MGDT_MESH_STAT_POINTS, &points));
+        if (points != n_points) {
+            close_domain();
+            mexErrMsgIdAndTxt("mgdt:invalid_argument", "values have %lld rows; they must have %lld",
+                              (long long)n_points, (long long)points);
+        }
+    }
+    found = room(n, sizeof *found);
+    weights = room(4 * n, sizeof *weights);
+    ensure_mesh(mgdt.mesh_locate_points(mesh, outside, n, where, found, weights));
+    to[0] = rows(found, n, 1);
+    if (results > 1) to[1] = rows_of_doubles(weights, n, 4);
+    if (results > 2) {
+        out = room(fields * n, sizeof *out);
+        if (values)
+            ensure_mesh(mgdt.mesh_interpolate(mesh, outside, fields, values, n, where, out));
+        to[2] = rows_of_doubles(out, values ? n : 0, values ? (int)fields : 0);
+        mxFree(out);
+    }
+    mxFree(weights);
+    mxFree(found);
+    close_domain();
 }
 
 #endif /* MGDT_OCTAVE_MESH_H */

@@ -560,6 +560,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = mxCreateString(mgdt.version_string());
         return;
     }
+    if (strcmp(command, "mesh_places") == 0) {
+        mesh_places(nlhs, plhs, nrhs - 1, prhs + 1);
+        return;
+    }
     if (strcmp(command, "improve") == 0) {
         plhs[0] = improved_mesh(nrhs - 1, prhs + 1);
         return;

@@ -643,6 +643,28 @@ test("a mesh", function()
     end
     assert(mesh.shapes[0][1] > mesh.shapes[0][0])
 
+    local places, numbers = read("places", "double")
+    local coordinates = {}
+    for k = 0, mesh.point_count - 1 do coordinates[k + 1] = { mesh.points[k][0], mesh.points[k][1], mesh.points[k][2] } end
+    for outside, name in pairs { none = "inside", boundary = "nearest" } do
+        local found, weights = mesh:locate_points(places, outside)
+        same(found, read("places_" .. name .. "_tetrahedra", "int64_t"), numbers / 3, "tetrahedra " .. name)
+        same(weights, read("places_" .. name .. "_weights", "double"), numbers / 3 * 4, "weights " .. name)
+        local expected, values = read("places_" .. name .. "_values", "double"), mesh:interpolate(coordinates, places, outside)
+        for k = 0, numbers - 1 do
+            local value = values[math.floor(k / 3) + 1][k % 3 + 1]
+            assert(value == expected[k] or (value ~= value and expected[k] ~= expected[k]))
+        end
+    end
+    equal(mesh:locate_points({ { 9, 9, 9 } })[0], -1, "outside")
+    local summary = mesh:shape_summary()
+    same(ffi.new("double[3]", { summary.least_angle, summary.largest_angle, summary.mean_shape }),
+        read("summary_shapes", "double"), 3, "shapes")
+    same(ffi.new("double[18]", summary.angles), read("summary_angles", "int64_t"), 18, "angles")
+    same(ffi.new("double[6]", summary.below), read("summary_below", "int64_t"), 6, "below")
+    refused("invalid_argument", { "outside" }, mesh.locate_points, mesh, places, "beyond")
+    refused("invalid_argument", { "values" }, mesh.interpolate, mesh, { 1, 2 }, places)
+
     local one = { points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, index_base = 1,
         tetrahedra = ffi.new("int32_t[1][4]", { { 1, 2, 3, 4 } }), edges = { { 2, 3 } }, edge_markers = { 5 } }
     equal(mgdt.mesh(one).edge_markers[0], 5, "an edge")

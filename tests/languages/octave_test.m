@@ -296,6 +296,18 @@ function improvement (folder)
   assert (mesh.shapes, read (folder, "block_shapes", "double", 2));
   assert (! isfield (mesh, "open_edges"));
   assert (sum (mesh.volumes), 64, 1e-9);
+  places = read (folder, "places", "double", 3);
+  for name = {"inside", {}; "nearest", {"nearest"}}'
+    [tetrahedra, weights, values] = mgdt_mesh_places (mesh, places, mesh.points, name{2}{:});
+    assert (tetrahedra, from_1 (read (folder, ["places_" name{1} "_tetrahedra"], "int64", 1)));
+    assert (weights, read (folder, ["places_" name{1} "_weights"], "double", 4));
+    assert (values, read (folder, ["places_" name{1} "_values"], "double", 3));
+  end
+  assert (mgdt_mesh_places (mesh, [9 9 9]), 0);
+  assert (mgdt_mesh_places (mesh, zeros (0, 3)), zeros (0, 1));
+  refused ("mgdt:invalid_argument", {"rows"}, @() mgdt_mesh_places (mesh, places, [1; 2]));
+  refused ("mgdt:not_finite", {"1"}, @() mgdt_mesh_places (mesh, [NaN 0 0]));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_mesh_places (mesh));
   same = mgdt_improve (mesh, "goal", 30, "keep", "all");
   assert (same.points, mesh.points);
   assert (sort (same.region_markers), sort (mesh.region_markers));

@@ -159,6 +159,42 @@ static void write_mesh(const mgdt_mesh* m, const char* prefix) {
     }
 }
 
+/* Places inside and outside of the block, their tetrahedra and weights, and values there: those of
+ * the points are their coordinates. */
+static void export_places(const mgdt_mesh* m) {
+    enum { n = 5 };
+    static const double places[3 * n] = {1.25, 2.5, 0.75, 4.5, 1,   1,   -1, -1,
+                                         5,    2,   2,    2,   3.3, 0.1, 4};
+    static const int32_t outside[2] = {MGDT_OUTSIDE_NONE, MGDT_OUTSIDE_BOUNDARY};
+    static const char* const names[2] = {"inside", "nearest"};
+    int64_t count = 0, found[n];
+    double weights[4 * n], out[3 * n], shapes[3];
+    int64_t angles[18], below[6];
+    double* xyz;
+    int k;
+    if (mgdt_mesh_get_size(m, MGDT_MESH_ARRAY_POINTS, &count) != MGDT_OK) stop("no points");
+    xyz = room(count, sizeof *xyz);
+    if (mgdt_mesh_get_doubles(m, MGDT_MESH_ARRAY_POINTS, count, xyz) != MGDT_OK) stop("no points");
+    write_file("places", places, 3 * n);
+    for (k = 0; k < 2; ++k) {
+        char name[64];
+        if (mgdt_mesh_locate_points(m, outside[k], n, places, found, weights) != MGDT_OK ||
+            mgdt_mesh_interpolate(m, outside[k], 3, xyz, n, places, out) != MGDT_OK)
+            stop("places in a mesh");
+        snprintf(name, sizeof name, "places_%s_tetrahedra", names[k]);
+        write_file(name, found, n);
+        snprintf(name, sizeof name, "places_%s_weights", names[k]);
+        write_file(name, weights, 4 * n);
+        snprintf(name, sizeof name, "places_%s_values", names[k]);
+        write_file(name, out, 3 * n);
+    }
+    if (mgdt_mesh_get_shape_summary(m, shapes, angles, below) != MGDT_OK) stop("shapes");
+    write_file("summary_shapes", shapes, 3);
+    write_file("summary_angles", angles, 18);
+    write_file("summary_below", below, 6);
+    free(xyz);
+}
+
 /* The cubes of a lattice, whose inner points are moved, each of six tetrahedra. Writes what is
  * given and the arrays of the improved mesh. */
 static void export_block(void) {
@@ -209,6 +245,7 @@ static void export_block(void) {
         mgdt_mesh_improve(m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK)
         stop("the block was not improved");
     write_mesh(m, "block");
+    export_places(m);
     mgdt_mesh_destroy(m);
 }
 

@@ -245,6 +245,22 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.doubles("block_shapes").each_slice(2).to_a, mesh.shapes
     assert_equal [nil] * (mesh.points.size - 125), mesh.point_origins.drop(125)
     assert_in_delta 64, mesh.tetrahedron_measures(:volume).sum, 1e-9
+    places = self.class.doubles("places").each_slice(3).to_a
+    { none: "inside", boundary: "nearest" }.each do |outside, name|
+      found, weights = mesh.locate_points(places, outside: outside)
+      assert_equal self.class.integers("places_#{name}_tetrahedra"), (found.map { |t| t || -1 })
+      assert_equal self.class.doubles("places_#{name}_weights").each_slice(4).to_a, weights
+      values = mesh.interpolate(mesh.points, places, outside: outside).flatten
+      expected = self.class.doubles("places_#{name}_values")
+      assert(values.zip(expected).all? { |a, b| a == b || (a.nan? && b.nan?) })
+    end
+    assert_equal [nil], mesh.locate_points([[9, 9, 9]]).first
+    summary = mesh.shape_summary
+    assert_equal self.class.doubles("summary_shapes"), summary.values_at(:least_angle, :largest_angle, :mean_shape)
+    assert_equal self.class.integers("summary_angles"), summary[:angles]
+    assert_equal self.class.integers("summary_below"), summary[:below]
+    refused(Mgdt::InvalidArgument, "there is no outside :beyond") { mesh.locate_points(places, outside: :beyond) }
+    refused(Mgdt::InvalidArgument, "values") { mesh.interpolate([1], places) }
     assert_raises(Mgdt::Cancelled) { mesh.improve(goal: 40) { :cancel } }
     mesh.check
   end

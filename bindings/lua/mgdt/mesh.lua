@@ -81,6 +81,61 @@ function Mesh:improve(given)
 end
 jit.off(Mesh.improve, true)
 
+-- Places as rows, and what is outside as the library names it.
+local function asked(places, outside)
+    local xyz, count = rows_of(places, nil, "places", 3, "places")
+    return xyz, count, choice(outside or "none", constants.outside, "outside")
+end
+
+--- The tetrahedra that contain places, exactly, or the index base - 1; and barycentric weights, with [k][0] and so
+--- on. outside is "none", or "boundary" to take the nearest place of the boundary for a place outside. Since 1.4.
+function Mesh:locate_points(places, outside)
+    local xyz, count, key = asked(places, outside)
+    local found, weights = ffi.new("int32_t[?]", count), ffi.new("double[?][4]", count)
+    ensure(self.handle, C.mgdt_mesh_locate_points_i32(self.handle, key, count, xyz, found, ffi.cast("double *", weights)))
+    return found, weights
+end
+jit.off(Mesh.locate_points)
+
+--- Values at places, as rows: linear in each tetrahedron between those at the points, rows of `values`; nan where there is none.
+--- outside is as for locate_points(). Since 1.4.
+function Mesh:interpolate(values, places, outside)
+    local width = type(values) == "table" and type(values[1]) == "table" and #values[1] or 1
+    local xyz, count, key = asked(places, outside)
+    if type(values) ~= "table" or #values ~= self.point_count then
+        bad_argument("values must be a table with one row for each of the %d points", self.point_count)
+    end
+    local of_points = ffi.new("double[?]", width * self.point_count)
+    for k, row in ipairs(values) do
+        if width > 1 and (type(row) ~= "table" or #row ~= width) then bad_argument("values[%d] is not %d numbers", k, width) end
+        for i = 1, width do
+            local value = width > 1 and row[i] or row
+            of_points[width * (k - 1) + i - 1] = arguments.real(type(value) == "table" and value[1] or value, ("values[%d]"):format(k))
+        end
+    end
+    local out = ffi.new("double[?]", width * count)
+    ensure(self.handle, C.mgdt_mesh_interpolate(self.handle, key, width, of_points, count, xyz, out))
+    local rows = {}
+    for k = 0, count - 1 do
+        rows[k + 1] = {}
+        for i = 0, width - 1 do rows[k + 1][i + 1] = out[width * k + i] end
+    end
+    return rows
+end
+jit.off(Mesh.interpolate)
+
+--- The shapes of all tetrahedra: least_angle and largest_angle in degrees, mean_shape, angles (from 0 to 10 degrees, 10 to
+--- 20 and so on) and below (tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees). Since 1.4.
+function Mesh:shape_summary()
+    local shapes, angles, below = ffi.new("double[3]"), ffi.new("int64_t[18]"), ffi.new("int64_t[6]")
+    ensure(self.handle, C.mgdt_mesh_get_shape_summary(self.handle, shapes, angles, below))
+    local summary = { least_angle = shapes[0], largest_angle = shapes[1], mean_shape = shapes[2], angles = {}, below = {} }
+    for k = 1, 18 do summary.angles[k] = tonumber(angles[k - 1]) end
+    for k = 1, 6 do summary.below[k] = tonumber(below[k - 1]) end
+    return summary
+end
+jit.off(Mesh.shape_summary)
+
 function Mesh:__tostring()
     return ("mgdt %s: %d points, %d tetrahedra, %d regions"):format(self.kind, self.point_count,
         self.tetrahedron_count, self.region_count)

@@ -143,6 +143,47 @@ module Mgdt
       values.read_array_of_double(@tetrahedra.size)
     end
 
+    # The tetrahedra that contain places, exactly, or nil; and their barycentric weights. With outside: :boundary the
+    # nearest place of the boundary stands for a place outside.
+    def locate_points(places, outside: :none)
+      given, key = asked(places, outside)
+      found = FFI::MemoryPointer.new(:int64, [given.count, 1].max)
+      weights = FFI::MemoryPointer.new(:double, [4 * given.count, 1].max)
+      @mesh.call(:locate_points, key, given.count, given.data, found, weights)
+      tetrahedra = found.read_array_of_int64(given.count).map { |t| t unless t == @index_base - 1 }
+      [tetrahedra, weights.read_array_of_double(4 * given.count).each_slice(4).to_a]
+    end
+
+    # Values at places, linear in each tetrahedron between those at the points, which are numbers or Arrays; NaN where
+    # there is none.
+    def interpolate(values, places, outside: :none)
+      raise argument("values must be an Array with one for each of the #{@points.size} points") unless
+        values.is_a?(Array) && values.size == @points.size
+
+      given, key = asked(places, outside)
+      width = values.first.is_a?(Array) ? values.first.size : 1
+      numbers = values.flatten(1)
+      raise argument("values must be #{width} numbers each") unless
+        numbers.size == width * values.size && numbers.all?(Numeric)
+
+      out = FFI::MemoryPointer.new(:double, [width * given.count, 1].max)
+      @mesh.call(:interpolate, key, width, numbers.pack("d*"), given.count, given.data, out)
+      found = out.read_array_of_double(width * given.count)
+      values.first.is_a?(Array) ? found.each_slice(width).to_a : found
+    end
+
+    # The shapes of all tetrahedra: the least and the largest angle in degrees, the mean shape, angles from 0 to 10
+    # degrees, 10 to 20 and so on, and tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees.
+    def shape_summary
+      shapes = FFI::MemoryPointer.new(:double, 3)
+      angles = FFI::MemoryPointer.new(:int64, 18)
+      below = FFI::MemoryPointer.new(:int64, 6)
+      @mesh.call(:get_shape_summary, shapes, angles, below)
+      least, largest, mean = shapes.read_array_of_double(3)
+      { least_angle: least, largest_angle: largest, mean_shape: mean, angles: angles.read_array_of_int64(18),
+        below: below.read_array_of_int64(6) }
+    end
+
     def inspect
       "#<#{self.class}: #{@points.size} points, #{@tetrahedra.size} tetrahedra, " \
         "#{@region_markers.size} regions>"
@@ -158,6 +199,10 @@ module Mgdt
       CONSTANTS[table].fetch(name.to_sym) do
         raise argument("there is no #{what} #{name.inspect}; there are #{CONSTANTS[table].keys.join(", ")}")
       end
+    end
+
+    def asked(places, outside)
+      [Points.new(places, name: "a place"), named(:outside, outside)]
     end
 
     # The status of a function that may hear of progress.

@@ -106,6 +106,30 @@ pub enum Reason {
     Other = sys::MGDT_REASON_OTHER,
 }
 
+/// The shapes of all tetrahedra of a [`Mesh`]. Since 1.4.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ShapeSummary {
+    /// The least dihedral angle, in degrees.
+    pub least_angle: f64,
+    /// The largest dihedral angle, in degrees.
+    pub largest_angle: f64,
+    /// The mean of [`TetrahedronMeasure::VolumeLength`].
+    pub mean_shape: f64,
+    /// Dihedral angles from 0 to 10 degrees, 10 to 20 and so on.
+    pub angles: [i64; 18],
+    /// Tetrahedra with an angle below 5, 10, 15, 20, 25 and 30 degrees.
+    pub below: [i64; 6],
+}
+
+fn outside(nearest: bool) -> i32 {
+    if nearest {
+        sys::MGDT_OUTSIDE_BOUNDARY
+    } else {
+        sys::MGDT_OUTSIDE_NONE
+    }
+}
+
 /// Statistics of a [`Mesh`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -335,6 +359,64 @@ impl Mesh {
     /// what was set.
     pub fn check(&self) -> Result<(), Error> {
         self.ensure(unsafe { sys::mgdt_mesh_check(self.raw()) })
+    }
+
+    /// The tetrahedra that contain places, exactly, and the barycentric coordinates there; None outside. With
+    /// `nearest`, the nearest place of the boundary stands for a place outside. Since 1.4.
+    pub fn locate_points(&self, places: &[[f64; 3]], nearest: bool) -> Result<Vec<Option<(usize, [f64; 4])>>, Error> {
+        let mut found = vec![0_i64; places.len()];
+        let mut weights = vec![[0.0; 4]; places.len()];
+        self.ensure(unsafe {
+            sys::mgdt_mesh_locate_points(
+                self.raw(),
+                outside(nearest),
+                as_i64(places.len()),
+                places.as_ptr().cast(),
+                found.as_mut_ptr(),
+                weights.as_mut_ptr().cast(),
+            )
+        })?;
+        let located = |(t, w): (i64, [f64; 4])| usize::try_from(t).ok().map(|t| (t, w));
+        Ok(found.into_iter().zip(weights).map(located).collect())
+    }
+
+    /// Values at places, `fields` numbers each: linear in each tetrahedron between those at the points; NaN outside,
+    /// or with `nearest` the values of the nearest place of the boundary. Since 1.4.
+    pub fn interpolate(&self, values: &[f64], fields: usize, places: &[[f64; 3]], nearest: bool) -> Result<Vec<f64>, Error> {
+        let needed = fields * self.statistic(MeshStatistic::Points);
+        if values.len() != needed {
+            let message = format!("there are {} values; there must be {}", values.len(), needed);
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        let mut out = vec![0.0; fields * places.len()];
+        self.ensure(unsafe {
+            sys::mgdt_mesh_interpolate(
+                self.raw(),
+                outside(nearest),
+                as_i64(fields),
+                values.as_ptr(),
+                as_i64(places.len()),
+                places.as_ptr().cast(),
+                out.as_mut_ptr(),
+            )
+        })?;
+        Ok(out)
+    }
+
+    /// The shapes of all tetrahedra in a few numbers. Since 1.4.
+    pub fn shape_summary(&self) -> Result<ShapeSummary, Error> {
+        let mut shapes = [0.0; 3];
+        let mut summary = ShapeSummary::default();
+        self.ensure(unsafe {
+            sys::mgdt_mesh_get_shape_summary(
+                self.raw(),
+                shapes.as_mut_ptr(),
+                summary.angles.as_mut_ptr(),
+                summary.below.as_mut_ptr(),
+            )
+        })?;
+        [summary.least_angle, summary.largest_angle, summary.mean_shape] = shapes;
+        Ok(summary)
     }
 
     /// One number of the mesh.

@@ -256,6 +256,23 @@ fn a_mesh() {
         assert_eq!(m.array(array).unwrap(), integers(&format!("block_{}", name)));
     }
     assert_eq!(mgdt::Reason::None as i64, m.array(mgdt::MeshArray::Reasons).unwrap()[0]);
+    for (nearest, name) in [(false, "inside"), (true, "nearest")] {
+        let at = places("places");
+        let found = m.locate_points(&at, nearest).unwrap();
+        let tetrahedra: Vec<_> = found.iter().map(|f| f.map_or(-1, |(t, _)| t as i64)).collect();
+        assert_eq!(tetrahedra, integers(&format!("places_{}_tetrahedra", name)));
+        let weights: Vec<_> = found.iter().flat_map(|f| f.map_or([0.0; 4], |(_, w)| w)).collect();
+        assert_eq!(weights, doubles(&format!("places_{}_weights", name)));
+        let values = m.interpolate(&doubles("block_points"), 3, &at, nearest).unwrap();
+        let expected = doubles(&format!("places_{}_values", name));
+        let is_same = |(a, b): (&f64, &f64)| a == b || (a.is_nan() && b.is_nan());
+        assert!(values.iter().zip(&expected).all(is_same));
+    }
+    assert!(m.interpolate(&[1.0], 1, &[], false).is_err());
+    let summary = m.shape_summary().unwrap();
+    assert_eq!([summary.least_angle, summary.largest_angle, summary.mean_shape].to_vec(), doubles("summary_shapes"));
+    assert_eq!(summary.angles.to_vec(), integers("summary_angles"));
+    assert_eq!(summary.below.to_vec(), integers("summary_below"));
     m.improve().unwrap();
     assert_eq!(m.points().unwrap(), places("block_points"));
     m.set_goal(40).unwrap();
