@@ -8,7 +8,7 @@ usage() {
 usage: sh tests/fuzz.sh [--merge] [seconds [target...]]
 
 Builds tests/fuzz with clang, libFuzzer and the address and undefined-behaviour sanitizers in
-build-fuzz/, and runs each target (or those named: api, domain, measures, parts, periodic, predicates, mesh_check, abaqus, boxes, gmsh, medit,
+build-fuzz/, and runs each target (or those named: api, domain, measures, mesh, parts, periodic, predicates, mesh_check, abaqus, boxes, gmsh, medit,
 npy, ply, raw, surfaces, tetgen, text, vtk, vtu) for so many seconds, 60 unless said otherwise. Inputs are those of
 tests/corpus/fuzz, a packed file for each target (tests/fuzz/corpus.py), and those of earlier rounds,
 which stay in build-fuzz/inputs. What is found is
@@ -31,7 +31,7 @@ case $seconds in
 '' | *[!0-9]*) usage >&2; exit 2 ;;
 esac
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- api domain measures parts periodic predicates mesh_check abaqus boxes gmsh medit npy ply raw surfaces tetgen text vtk vtu
+[ $# -gt 0 ] || set -- api domain measures mesh parts periodic predicates mesh_check abaqus boxes gmsh medit npy ply raw surfaces tetgen text vtk vtu
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
@@ -54,7 +54,7 @@ ninja -C "$build" $binaries || exit 2
 limits() {
     case $1 in
     api) echo "-max_len=512 -malloc_limit_mb=256" ;;
-    domain | measures | parts | periodic) echo "-max_len=512 -malloc_limit_mb=256" ;;
+    domain | measures | mesh | parts | periodic) echo "-max_len=512 -malloc_limit_mb=256" ;;
     predicates) echo "-max_len=192 -malloc_limit_mb=64" ;;
     mesh_check) echo "-max_len=128 -malloc_limit_mb=64" ;;
     *) echo "-max_len=4096 -malloc_limit_mb=64" ;;

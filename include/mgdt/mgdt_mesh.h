@@ -76,7 +76,9 @@ enum {
     /** Faces and edges that the mesh lists stay as they are. */
     MGDT_BOUNDARY_FIXED = 0,
     /** The surface stays, but its points move: within the facet that they are inside of, or along a
-     *  straight line of edges, but for rounding; and other faces may divide the facet. */
+     *  straight line of edges, but for rounding; and other faces may divide the facet. If a facet
+     *  whose faces are not quite in one plane would run into another part of the surface so, the
+     *  call is as with MGDT_BOUNDARY_FIXED. */
     MGDT_BOUNDARY_SLIDE = 1
 };
 

@@ -6,6 +6,7 @@
 
 #include "improvement/improver.hpp"
 #include "platform/error.hpp"
+#include "solid/embedding_check.hpp"
 
 namespace mgdt {
 namespace {
@@ -22,7 +23,8 @@ class MeshImprovement {
           flexible_(mesh, allocator),
           improver_(flexible_, team, settings()) {}
 
-    void run(const Buffer<std::uint32_t>& fixed, StageProgress& progress) {
+    // Returns false, and leaves the mesh as it was, if its surface has come to meet itself.
+    bool run(const Buffer<std::uint32_t>& fixed, StageProgress& progress) {
         allow(fixed);
         StageProgress quiet = progress.quiet();
         const ShapeSummary before = summarize_shapes(mesh_, team_, allocator_, quiet);
@@ -32,7 +34,7 @@ class MeshImprovement {
             if (error.status == MGDT_ERR_CANCELLED) finish(before);
             throw;
         }
-        finish(before);
+        return finish(before);
     }
 
   private:
@@ -59,8 +61,8 @@ class MeshImprovement {
     }
 
     // Writes the mesh and the report. All memory that the report takes is there before the mesh
-    // changes.
-    void finish(const ShapeSummary& before) {
+    // changes. Returns false, and changes nothing, if the surface meets itself where it did not.
+    bool finish(const ShapeSummary& before) {
         ImprovementReport made(report_.reasons.allocator());
         Buffer<Reason> of_slots(allocator_);
         explain(flexible_, settings().goal, of_slots);
@@ -78,6 +80,9 @@ class MeshImprovement {
             Buffer<std::uint32_t> number(allocator_);
             flexible_.write(mesh_, written, number);
             StageProgress quiet = unstoppable();
+            if (options_.slides && !is_embedded(written, team_, allocator_, quiet) &&
+                is_embedded(mesh_, team_, allocator_, quiet))
+                return false;
             made.after = summarize_shapes(written, team_, allocator_, quiet);
             for (std::size_t i = 0; i < number.size(); ++i)
                 if (number[i] != no_index) made.reasons[number[i]] = of_slots[i];
@@ -88,6 +93,7 @@ class MeshImprovement {
             made.reasons.size() - static_cast<std::size_t>(std::count(
                                       made.reasons.begin(), made.reasons.end(), Reason::none));
         report_ = std::move(made);
+        return true;
     }
 
     void count_points(const SolidMesh& written, ImprovementReport& made) const {
@@ -128,7 +134,12 @@ double squared_sine_of(double degrees) noexcept {
 void improve_mesh(SolidMesh& mesh, const ImprovementOptions& options,
                   const Buffer<std::uint32_t>& fixed, Team& team, Allocator& allocator,
                   StageProgress& progress, ImprovementReport& report) {
-    MeshImprovement(mesh, options, team, allocator, report).run(fixed, progress);
+    // A facet of faces that are not quite in one plane sweeps a thin space where it slides. What is
+    // in that space, such as another part of the surface, would be overlapped.
+    if (MeshImprovement(mesh, options, team, allocator, report).run(fixed, progress)) return;
+    ImprovementOptions without_slides = options;
+    without_slides.slides = false;
+    MeshImprovement(mesh, without_slides, team, allocator, report).run(fixed, progress);
 }
 
 }  // namespace mgdt

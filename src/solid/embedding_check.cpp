@@ -8,6 +8,7 @@
 #include "boundary/simplex_pair.hpp"
 #include "mesh/tetrahedron.hpp"
 #include "parallel/disjoint_sets.hpp"
+#include "platform/atomic.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 #include "solid/pair_table.hpp"
@@ -211,6 +212,43 @@ class EmbeddingCheck {
 };
 
 }  // namespace
+
+bool is_embedded(const SolidMesh& mesh, Team& team, Allocator& allocator, StageProgress& progress) {
+    Buffer<std::uint32_t> faces(allocator);  // 3 corners of each that has a free side
+    for (std::size_t f = 0; f < mesh.face_facets.size(); ++f)
+        if (mesh.face_tetrahedra[2 * f] == no_index || mesh.face_tetrahedra[2 * f + 1] == no_index)
+            for (std::size_t k = 0; k < 3; ++k) faces.push_back(mesh.faces[3 * f + k]);
+    const auto simplex = [&](std::size_t f) {
+        Simplex s = {3, {}, {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            s.number[k] = faces[3 * f + k];
+            s.x[k] = mesh.points.begin() + 3 * std::size_t{s.number[k]};
+        }
+        return s;
+    };
+    Buffer<BoundingBox> boxes(allocator, faces.size() / 3);
+    for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = box_of(simplex(f));
+    const BoxTree tree(allocator, boxes, progress.stop_request());
+    Atomic<bool> is_simple{true};
+    tree.for_each_pair(team, progress, [&](std::uint32_t i, std::uint32_t j, unsigned) {
+        if (!is_simple.load(std::memory_order_relaxed)) return;
+        const Simplex a = simplex(i), b = simplex(j);
+        const bool are_equal = std::is_permutation(a.number, a.number + 3, b.number);
+        if (are_equal || !meet_in_common_face(a, b))
+            is_simple.store(false, std::memory_order_relaxed);
+    });
+    if (!is_simple.load(std::memory_order_relaxed)) return false;
+    std::size_t sheets = 0;
+    Sheets(mesh, allocator).for_each([&](std::uint32_t) { ++sheets; });
+    if (sheets < 2) return true;
+    try {
+        check_embedding(mesh, 0, allocator, progress);
+    } catch (const Error& error) {
+        if (error.status != MGDT_ERR_CHECK_FAILED) throw;
+        return false;
+    }
+    return true;
+}
 
 void check_embedding(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                      StageProgress& progress) {

@@ -2,6 +2,7 @@
 // Whether the tetrahedra of a mesh overlap or leave gaps.
 #pragma once
 
+#include "parallel/team.hpp"
 #include "platform/stage_progress.hpp"
 #include "solid/solid_mesh.hpp"
 
@@ -16,5 +17,12 @@ namespace mgdt {
 // listed faces are those at which they end.
 void check_embedding(const SolidMesh& mesh, std::int32_t index_base, Allocator& allocator,
                      StageProgress& progress);
+
+// Whether boundary faces meet in common corners and edges alone, and no tetrahedron overlaps
+// another one. The mesh is as check_embedding() takes it. Where the boundary is one sheet, this
+// takes a test of the boundary alone: tetrahedra that are positive and linked cover a place as
+// often as the boundary winds around it, and a closed surface that does not meet itself winds once
+// around what is inside of it.
+bool is_embedded(const SolidMesh& mesh, Team& team, Allocator& allocator, StageProgress& progress);
 
 }  // namespace mgdt

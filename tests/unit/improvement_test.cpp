@@ -10,12 +10,15 @@
 #include "improvable_meshes.hpp"
 #include "improvement/explanation.hpp"
 #include "improvement/improver.hpp"
+#include "improvement/mesh_improvement.hpp"
 #include "improvement/quality.hpp"
 #include "improvement/quality_gradient.hpp"
 #include "improvement/vertex_classes.hpp"
 #include "mesh_volumes.hpp"
 #include "predicates/predicates.hpp"
 #include "query/tetrahedron_measures.hpp"
+#include "solid/given_mesh.hpp"
+#include "solid/mesh_check.hpp"
 
 namespace mgdt {
 namespace {
@@ -564,6 +567,50 @@ TEST(Improvement, RefusesChangesThatDoNotFit) {
     Copy after(domain.mesh());
     mesh.write(after.mesh);
     expect_equal(before.mesh, after.mesh);
+}
+
+// Two boxes whose surfaces nearly touch, with a dent that is nearly plane: a vertex that slides in
+// one would run into the other.
+TEST(Improvement, SlidingSurfacesDoNotMeet) {
+    constexpr double dent = 0x1p-22, gap = 0x1p-40;
+    Allocator memory;
+    GivenMesh given(memory);
+    for (const int upper : {0, 1}) {
+        const auto first = static_cast<std::uint32_t>(given.points.size() / 3);
+        for (std::uint32_t i = 0; i < 18; ++i) {
+            const std::uint32_t x = i % 3, y = i / 3 % 3, z = i / 9;
+            const bool is_inner = x == 1 && y == 1 && z != static_cast<std::uint32_t>(upper);
+            given.points.push_back(is_inner ? 1.7 : x);
+            given.points.push_back(is_inner ? 1.6 : y);
+            given.points.push_back(z + upper * (1 + gap) - (is_inner ? dent : 0));
+            if (x == 2 || y == 2 || z == 1) continue;
+            std::array<std::uint32_t, 3> steps = {1, 3, 9};
+            do {
+                std::uint32_t v = first + i;
+                given.tetrahedra.push_back(v);
+                for (const std::uint32_t step : steps) given.tetrahedra.push_back(v += step);
+            } while (std::next_permutation(steps.begin(), steps.end()));
+        }
+    }
+    SolidMesh mesh(memory);
+    link_mesh(given, 0, memory, Unwatched(), mesh);
+    ASSERT_EQ(mesh.planar_facets, 12u);
+    ImprovementOptions options;
+    options.slides = true;
+    ImprovementReport report(memory);
+    Team team(1);
+    const Buffer<std::uint32_t> fixed(memory);
+    improve_mesh(mesh, options, fixed, team, memory, Unwatched(), report);
+    EXPECT_EQ(report.moved_points, 0u);
+    EXPECT_NO_THROW(check_mesh(mesh, 0, memory, Unwatched()));
+    // Without the upper box the vertex slides.
+    given.points.resize(54);
+    given.tetrahedra.resize(given.tetrahedra.size() / 2);
+    SolidMesh alone(memory);
+    link_mesh(given, 0, memory, Unwatched(), alone);
+    improve_mesh(alone, options, fixed, team, memory, Unwatched(), report);
+    EXPECT_GT(report.moved_points, 0u);
+    EXPECT_NO_THROW(check_mesh(alone, 0, memory, Unwatched()));
 }
 
 }  // namespace
