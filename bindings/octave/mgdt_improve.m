@@ -23,7 +23,7 @@
 % "boundary"         "fixed", or "slide" if points of the surface may move within their facets
 % "keep"             what happens to points: "all" leaves them where they are, "numbers" (at first) moves
 %                    them, "none" may also leave some without a tetrahedron
-% "mean_passes"      passes for the mean of the shapes; 3 at first
+% "mean_passes"      passes for the mean of the shapes, such as 3; 0 at first
 % "most_passes"      a limit for goals that are out of reach; 100 at first
 % "threads"          0 for all cores
 % "memory_limit"     bytes, 0 for none
@@ -44,7 +44,7 @@ function mesh = mgdt_improve (points, varargin)
     print_usage ();
   end
   given = struct ("markers", [], "faces", [], "face_markers", [], "edges", [], "edge_markers", [], ...
-                  "fixed", [], "goal", 25, "boundary", "fixed", "keep", "numbers", "mean_passes", 3, ...
+                  "fixed", [], "goal", 25, "boundary", "fixed", "keep", "numbers", "mean_passes", 0, ...
                   "most_passes", 100, "threads", 1, "memory_limit", 0, "progress", [], "check", false);
   if (isstruct (points))
     before = points;

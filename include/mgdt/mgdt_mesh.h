@@ -62,8 +62,8 @@ enum {
      *  MGDT_POINTS_KEEP for a mesh of a domain, and MGDT_POINTS_MOVE for one of the caller's
      *  tetrahedra. Since 1.4. */
     MGDT_MESH_OPTION_POINTS = 42,
-    /** How often mgdt_mesh_improve() moves all points to improve the mean of the shapes, from 0 to
-     *  1000, at first 3. Since 1.4. */
+    /** How often mgdt_mesh_improve() moves all points, after the goal, to improve the mean of the
+     *  shapes: from 0 to 1000, at first 0. Three passes do most of what can be done. Since 1.4. */
     MGDT_MESH_OPTION_MEAN_PASSES = 43,
     /** The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000,
      *  at first 100. Few of them suffice for most meshes. Since 1.4. */

@@ -22,7 +22,7 @@ struct ImproveOptions {
     int goal = 25;         // degrees
     std::string keep;      // "all", "numbers" or "none"
     std::string boundary;  // "fixed" or "slide"
-    int mean_passes = 3;
+    int mean_passes = 0;
     int most_passes = 100;
 };
 

@@ -15,7 +15,7 @@ struct ImprovementOptions {
                                   largest_most_passes = 10000;
 
     std::int32_t goal = 25;  // for the least dihedral angle, in degrees
-    std::int32_t mean_passes = 3;
+    std::int32_t mean_passes = 0;
     std::int32_t most_passes = 100;
     bool slides = false;  // whether faces and edges that the mesh lists may change
     std::int32_t points =

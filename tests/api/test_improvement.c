@@ -288,7 +288,7 @@ static void options(void) {
     } all[] = {{MGDT_MESH_OPTION_GOAL, 25, 70},
                {MGDT_MESH_OPTION_BOUNDARY, MGDT_BOUNDARY_FIXED, MGDT_BOUNDARY_SLIDE},
                {MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE, MGDT_POINTS_REMOVE},
-               {MGDT_MESH_OPTION_MEAN_PASSES, 3, 1000},
+               {MGDT_MESH_OPTION_MEAN_PASSES, 0, 1000},
                {MGDT_MESH_OPTION_MOST_PASSES, 100, 10000}};
     mgdt_mesh* m = NULL;
     int64_t value = -1;

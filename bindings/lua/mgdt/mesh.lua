@@ -54,7 +54,7 @@ local options = { goal = whole, boundary = constants.boundary, points = constant
 
 --- Improves the tetrahedra until all dihedral angles reach a goal, or nothing helps; then the mesh has the new
 --- arrays. Optional, in a table: goal (25, in degrees), boundary ("fixed" or "slide"), points ("keep", "move" or
---- "remove"), fixed (a list of points), mean_passes (3), most_passes (100), and progress, a function. What is not given
+--- "remove"), fixed (a list of points), mean_passes (0), most_passes (100), and progress, a function. What is not given
 --- stays as the last call has set it. `shapes`, `angle_histogram`, `tetrahedra_below` and `reasons` say what has become better, and below_goal
 --- how many tetrahedra are left. Since 1.4.
 function Mesh:improve(given)

@@ -266,7 +266,7 @@ class Mesh:
         slide: bool = False,
         keep: Optional[str] = None,
         fixed: Optional[ArrayLike] = None,
-        mean_passes: int = 3,
+        mean_passes: int = 0,
         most_passes: int = 100,
         progress: Optional[Callable[[float], Any]] = None,
     ) -> Improvement:
@@ -287,7 +287,8 @@ class Mesh:
             them, "none" may also leave some without a tetrahedron. By default "all" for a
             `DomainMesh`, "numbers" for others
         fixed : rows of `points`, of those that were given, that stay where they are
-        mean_passes : passes that move all points for the mean of the shapes
+        mean_passes : passes that move all points for the mean of the shapes, after the goal; three of them
+            do most of what can be done
         most_passes : a limit for goals that are out of reach
         progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
         """

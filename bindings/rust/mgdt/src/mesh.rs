@@ -277,7 +277,7 @@ impl Mesh {
         self.set_option(sys::MGDT_MESH_OPTION_POINTS, points as i64)
     }
 
-    /// Passes that move all points for the mean of the shapes; 3 at first. Since 1.4.
+    /// Passes that move all points for the mean of the shapes, such as 3; 0 at first. Since 1.4.
     pub fn set_mean_passes(&mut self, passes: u32) -> Result<(), Error> {
         self.set_option(sys::MGDT_MESH_OPTION_MEAN_PASSES, i64::from(passes))
     }

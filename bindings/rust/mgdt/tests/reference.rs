@@ -231,7 +231,7 @@ fn a_mesh() {
     m.set_goal(30).unwrap();
     m.set_boundary(mgdt::Boundary::Slide).unwrap();
     m.set_given_points(mgdt::GivenPoints::Move).unwrap();
-    m.set_mean_passes(3).unwrap();
+    m.set_mean_passes(0).unwrap();
     m.set_most_passes(100).unwrap();
     let mut heard = 0;
     m.improve_with_progress(|_| {
