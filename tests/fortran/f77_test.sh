@@ -24,6 +24,8 @@ for flags in "$debug" -fdefault-integer-8 -fno-underscoring -fsecond-underscore 
     check "test_overflow runs" run $set test_overflow
     check "poisson compiles" program $set "$legacy $flags" poisson "$folder/examples/poisson.f"
     check "poisson runs" run $set poisson
+    check "stirred compiles" program $set "$legacy $flags" stirred "$folder/examples/stirred.f"
+    check "stirred runs" run $set stirred
 done
 
 cat >"$scratch/free.f90" <<'END'

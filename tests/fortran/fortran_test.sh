@@ -13,7 +13,7 @@ set -eu
 installed_whole() { # all sources, and nothing that a compiler made
     ls "$folder"
     for file in $module_sources $f77_sources "$folder/mgdt_f77.inc" "$folder/examples/poisson.f" \
-        "$folder/examples/adaptive.f90"; do
+        "$folder/examples/adaptive.f90" "$folder/examples/stirred.f"; do
         test -f "$file" || return 1
     done
     test -z "$(find "$scratch/root" -name '*.mod' -o -name '*.smod' -o -name '*.o')"
