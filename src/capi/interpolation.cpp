@@ -73,9 +73,10 @@ void weights(const mgdt_triangulation* t, std::int32_t method, std::int32_t outs
     if (count == 0)
         offsets[0] = static_cast<Int>(view.base);
     else
-        needed =
-            interpolation_weights<Int>(view, locator(t), manner, finite_places(team, count, xyz, t),
-                                       progress, {offsets, room, points, to});
+        needed = interpolation_weights<Int>(
+            view, locator(t), manner,
+            finite_places(team, count, xyz, t->object.settings().index_base), progress,
+            {offsets, room, points, to});
     if (!counts_alone) require_capacity(capacity, needed, "the output array");
 }
 
@@ -95,7 +96,8 @@ extern "C" mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t met
         require_pointer(out, "the output array");
         Team team(t->object.threads_for(count, places_per_thread));
         interpolate(view_of(team, t, false), locator(t), manner, {fields, values},
-                    finite_places(team, count, xyz, t), progress, out);
+                    finite_places(team, count, xyz, t->object.settings().index_base), progress,
+                    out);
     });
 }
 

@@ -63,9 +63,8 @@ void set_fixed_points(MeshObject& m, std::int64_t n, const Int* points) {
     const CornerRange range = {
         m.value.has_input ? input_points(m).points : m.value.given_point_count(),
         m.settings().index_base};
-    Buffer<std::uint32_t> copy(m.allocator());
-    copy.resize(count);
-    for (std::size_t i = 0; i < count; ++i) copy[i] = range.at(points[i], "fixed point", i);
+    Buffer<std::uint32_t> copy =
+        copy_of_corners(m.allocator(), count, 1, points, range, "fixed point");
     (m.value.has_input ? m.value.fixed_input_points : m.value.fixed_points) = std::move(copy);
 }
 

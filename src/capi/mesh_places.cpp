@@ -25,9 +25,7 @@ void answer(const mgdt_mesh* m, std::int32_t outside, std::int64_t n, const doub
     require_pointer(out, "the output array");
     const MeshState& mesh = m->object.value;
     Team team(thread_count(m->object.settings()));
-    const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    const PointSet places = PointScan(team, count, axis, 3, m->object.settings().index_base)
-                                .point_set(count, axis, 3, 1);
+    const PointSet places = finite_places(team, count, xyz, m->object.settings().index_base);
     const SolidMesh& solid = mesh;
     const MeshLocator& inside = mesh.locator.get(solid, progress.stop_request());
     const BoundaryPlaces* const boundary =

@@ -32,9 +32,9 @@ inline std::size_t require_fields(std::int64_t fields, std::size_t rows) {
 
 // The places of a query. Throws if a coordinate is not finite.
 inline PointSet finite_places(Team& team, std::size_t n, const double* xyz,
-                              const mgdt_triangulation* t) {
+                              std::int32_t index_base) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    return PointScan(team, n, axis, 3, t->object.settings().index_base).point_set(n, axis, 3, 1);
+    return PointScan(team, n, axis, 3, index_base).point_set(n, axis, 3, 1);
 }
 
 }  // namespace mgdt

@@ -24,7 +24,7 @@ void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int
     require_pointer(xyz, "xyz");
     require_pointer(out, "the output array");
     Team team(t->object.threads_for(count, places_per_thread));
-    const PointSet places = finite_places(team, count, xyz, t);
+    const PointSet places = finite_places(team, count, xyz, t->object.settings().index_base);
     body(team, places);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "improvement/flexible_mesh.hpp"
+#include "mesh/scale.hpp"
 
 namespace mgdt {
 
@@ -22,9 +23,7 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
       links_(allocator),
       slots_(allocator),
       leaves_(allocator) {
-    double largest = 0;
-    for (const double c : from.points) largest = std::max(largest, std::fabs(c));
-    if (largest > 0) std::frexp(largest, &scale_);
+    scale_ = exponent_above(from.points.begin(), from.points.size());
     x.resize(from.points.size());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
     is_lost.resize(x.size() / 3, 0);

@@ -25,6 +25,14 @@ bool is_normal(const ExponentRange& range, int k) {
     return is_exact(range, k) && range.highest + k < 150 && range.lowest_bit + 52 + k >= -150;
 }
 
+int exponent_above(const double* x, std::size_t n) {
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(x[i]));
+    int exponent = 0;
+    if (largest > 0) std::frexp(largest, &exponent);
+    return exponent;
+}
+
 void ExponentRange::add(double x) {
     if (x == 0) return;
     int exponent;

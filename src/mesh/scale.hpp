@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 namespace mgdt {
 
@@ -38,6 +39,9 @@ int choose_scale_of_most(const ExponentRange& range, int typical);
 bool is_normal(const ExponentRange& range, int k);
 // Whether 2^k times every coordinate is exact.
 bool is_exact(const ExponentRange& range, int k);
+
+// The least e such that all of n numbers are below 2^e; 0 if all are 0.
+int exponent_above(const double* x, std::size_t n);
 
 // x times 2^k, for every k that choose_scale() can return.
 double scaled_by_two_factors(double x, int k);

@@ -5,20 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/scale.hpp"
 #include "mesh/tetrahedron.hpp"
 #include "predicates/foot_weights.hpp"
 
 namespace mgdt {
 namespace {
-
-// Coordinates are divided by the power of two that brings the largest one to at most 1.
-int exponent_of(const SolidMesh& mesh) {
-    double largest = 0;
-    for (const double c : mesh.points) largest = std::max(largest, std::fabs(c));
-    int exponent = 0;
-    if (largest > 0) std::frexp(largest, &exponent);
-    return exponent;
-}
 
 Buffer<std::uint32_t> boundary_faces(Allocator& allocator, const SolidMesh& mesh) {
     Buffer<std::uint32_t> faces(allocator);
@@ -47,7 +39,7 @@ Buffer<BoundingBox> boxes_of(Allocator& allocator, const SolidMesh& mesh, int sc
 
 BoundaryPlaces::BoundaryPlaces(Allocator& allocator, const SolidMesh& mesh, const StopRequest& stop)
     : mesh_(mesh),
-      scale_(exponent_of(mesh)),
+      scale_(exponent_above(mesh.points.begin(), mesh.points.size())),
       faces_(boundary_faces(allocator, mesh)),
       boxes_(boxes_of(allocator, mesh, scale_, faces_)),
       tree_(allocator, boxes_, stop) {}
@@ -133,15 +125,13 @@ BoundaryPlaces::Place BoundaryPlaces::nearest(const double* place) const {
     // From a place that is farther than this the mesh is a point but for its direction.
     constexpr int most_exponent = 500;
     double scaled_place[3], seen[3], largest = 0;
-    for (const double c : {place[0], place[1], place[2]}) largest = std::max(largest, std::fabs(c));
-    int exponent = 0;
-    if (largest > 0) std::frexp(largest, &exponent);
-    const int nearer = std::max(0, exponent - scale_ - most_exponent);
+    const int nearer = std::max(0, exponent_above(place, 3) - scale_ - most_exponent);
     for (int i = 0; i < 3; ++i) {
         scaled_place[i] = std::ldexp(place[i], -scale_ - nearer);
+        largest = std::max(largest, std::fabs(scaled_place[i]));
         seen[i] = nearer > 0 ? std::ldexp(place[i], -nearer) : place[i];
     }
-    const Distance distance(scaled_place, std::ldexp(largest, -scale_ - nearer));
+    const Distance distance(scaled_place, largest);
     Candidate best = {std::numeric_limits<double>::infinity(), {0, 0, 0}};
     std::uint32_t face = no_index;
     tree_.for_each_below(

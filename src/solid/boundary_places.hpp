@@ -32,7 +32,7 @@ class BoundaryPlaces {
                               const Distance& distance) const;
 
     const SolidMesh& mesh_;
-    int scale_;
+    int scale_;                    // coordinates times 2^-scale_ are at most 1
     Buffer<std::uint32_t> faces_;  // 4 times the tetrahedron plus the position
     Buffer<BoundingBox> boxes_;    // of the faces, scaled
     BoxTree tree_;

@@ -34,8 +34,8 @@ struct GivenMesh {
 // regions meet. Listed faces that continue each other in one plane form a facet. The mesh lists the
 // caller's edges, then the other edges at which facets end. Throws
 // MGDT_ERR_INVALID_ARGUMENT, with the number of what is wrong, if a tetrahedron is flat, if
-// tetrahedra at a face are more than two or on the same side of it, or if a face or an edge is none
-// of a tetrahedron.
+// more than two tetrahedra have a face in common or two are on the same side of one, or if no
+// tetrahedron has a listed face or edge.
 void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
                StageProgress& progress, SolidMesh& out);
 

@@ -48,6 +48,15 @@ TEST(Scale, IsNormalWhereAllCoordinatesAre) {
     EXPECT_TRUE(mgdt::is_exact(range_of({0x1p-200, 0x1p600}), -600));
 }
 
+TEST(Scale, FindsThePowerOfTwoAboveAllNumbers) {
+    const double none[3] = {0, 0, 0}, one[3] = {0.5, -1, 0}, below[1] = {0.75},
+                 tiny[2] = {0x1p-1074, 0};
+    EXPECT_EQ(mgdt::exponent_above(none, 3), 0);
+    EXPECT_EQ(mgdt::exponent_above(one, 3), 1);
+    EXPECT_EQ(mgdt::exponent_above(below, 1), 0);
+    EXPECT_EQ(mgdt::exponent_above(tiny, 2), -1073);
+}
+
 TEST(Scale, FollowsMostOfTheCoordinates) {
     EXPECT_EQ(mgdt::choose_scale_of_most(range_of({1, 1e300}), 0), 0);
     EXPECT_EQ(mgdt::choose_scale_of_most(range_of({1, 1e300}), 30), 0);

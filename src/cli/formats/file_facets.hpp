@@ -29,6 +29,7 @@ struct FileFacets {
         corners.insert(corners.end(), points, points + count);
         end_facet(marker);
     }
+    void add_segment(const std::int64_t* ends) { segments.insert(segments.end(), ends, ends + 2); }
     // Ends a facet whose corners were appended.
     void end_facet(std::int32_t marker = 0) {
         begin.push_back(static_cast<std::int64_t>(corners.size()));

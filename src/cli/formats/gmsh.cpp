@@ -306,7 +306,7 @@ void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags
         for (int k = 0; k < corners; ++k) corner[k] = tags.find(reader.size("node tag"));
         reader.skip_words(nodes - corners, reader.version() == 4 ? 8 : 4, "nodes");
         if (corners == 2)
-            facets->segments.insert(facets->segments.end(), corner, corner + 2);
+            facets->add_segment(corner);
         else if (corners > 2)
             facets->add_facet(corner, static_cast<std::size_t>(corners), marker);
         return;

@@ -49,7 +49,7 @@ void read_facets(Words& words, std::size_t corners, Mesh& mesh) {
         if (corners == 3)
             mesh.facets.add_facet(corner, corners, marker);
         else
-            mesh.facets.segments.insert(mesh.facets.segments.end(), corner, corner + 2);
+            mesh.facets.add_segment(corner);
     }
 }
 

@@ -150,7 +150,7 @@ class Reader {
             if (corners == 3)
                 mesh_.facets.add_facet(corner, corners, marker);
             else
-                mesh_.facets.segments.insert(mesh_.facets.segments.end(), corner, corner + 2);
+                mesh_.facets.add_segment(corner);
         }
     }
 

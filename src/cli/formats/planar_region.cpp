@@ -189,7 +189,7 @@ bool add_planar_region(const std::vector<double>& points,
                        const std::vector<std::array<double, 3>>& holes, std::int32_t marker,
                        FileFacets& facets) {
     for (const std::vector<std::int64_t>& p : polygons)
-        if (p.size() == 2) facets.segments.insert(facets.segments.end(), p.begin(), p.end());
+        if (p.size() == 2) facets.add_segment(p.data());
     polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
                                   [](const std::vector<std::int64_t>& p) { return p.size() < 3; }),
                    polygons.end());

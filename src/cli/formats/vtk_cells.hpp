@@ -37,11 +37,10 @@ inline void add_vtk_facet(std::int64_t type, const std::int64_t* nodes, std::siz
     switch (type) {
         case line:
         case poly_line:
-            for (std::size_t k = 0; k + 1 < count; ++k)
-                facets.segments.insert(facets.segments.end(), nodes + k, nodes + k + 2);
+            for (std::size_t k = 0; k + 1 < count; ++k) facets.add_segment(nodes + k);
             break;
         case quadratic_edge:
-            if (count >= 2) facets.segments.insert(facets.segments.end(), nodes, nodes + 2);
+            if (count >= 2) facets.add_segment(nodes);
             break;
         case triangle:
         case polygon:
