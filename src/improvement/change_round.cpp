@@ -9,7 +9,7 @@ void ChangeRound::begin(std::size_t n) {
     for (Finder& finder : finders_) finder.list.clear();
     found_.clear();
     found_.resize(n, {0, no_index});
-    ++round_;
+    ++mesh_.round;
 }
 
 std::size_t ChangeRound::apply() {
@@ -25,9 +25,9 @@ std::size_t ChangeRound::apply() {
     for (const std::uint32_t k : order_) {
         finders_[found_[k].member].list.get(found_[k].number, change_);
         if (std::any_of(change_.removed.begin(), change_.removed.end(),
-                        [&](std::uint32_t t) { return claimed_[t] == round_; }))
+                        [&](std::uint32_t t) { return claimed_[t] == mesh_.round; }))
             continue;
-        for (const std::uint32_t t : change_.removed) claimed_[t] = round_;
+        for (const std::uint32_t t : change_.removed) claimed_[t] = mesh_.round;
         if (mesh_.apply(change_)) ++applied;
     }
     return applied;

@@ -64,7 +64,6 @@ class ChangeRound {
     Buffer<Found> found_;  // for each candidate
     Buffer<std::uint32_t> order_;
     Buffer<std::uint32_t> claimed_;  // the last round that has replaced each tetrahedron
-    std::uint32_t round_ = 0;
     Change change_;
 };
 

@@ -104,6 +104,8 @@ bool FlexibleMesh::pair_faces(const Change& change) {
 bool FlexibleMesh::apply(Change& change) {
     if (!pair_faces(change)) return false;
     add_vertex(change);
+    for (const std::uint32_t t : change.removed)
+        for (const std::uint32_t v : tetrahedra[t].v) note_change(v);
     if (const std::uint32_t lost = change.more.lost_vertex; lost != no_index) {
         hints[lost] = no_tetrahedron;
         is_lost[lost] = 1;
@@ -155,6 +157,7 @@ void FlexibleMesh::add_vertex(Change& change) {
     hints.push_back(no_tetrahedron);
     classes.push_back(free_vertex);
     is_lost.push_back(0);
+    last_change.push_back(round);
 }
 
 }  // namespace mgdt

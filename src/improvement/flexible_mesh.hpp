@@ -42,13 +42,19 @@ class FlexibleMesh : public LinkedTetrahedra {
     // receives the number that the tetrahedron in each slot has there, or no_index.
     void write(const SolidMesh& from, SolidMesh& made, Buffer<std::uint32_t>& number) const;
 
+    // Changes and moves belong to rounds, which are numbered from 1. The caller begins each.
+    std::uint32_t round = 0;
+    // Says that the tetrahedra at a vertex have changed in this round.
+    void note_change(std::uint32_t v) noexcept { last_change[v] = round; }
+
     // For tetrahedra, beside the links.
     Buffer<std::uint32_t> regions;
     Buffer<double> qualities;
 
     Buffer<double> x;  // coordinates times a power of two, so that the largest one is about 1
-    Buffer<VertexClass> classes;   // of vertices: all fixed until classify_vertices()
-    Buffer<std::uint8_t> is_lost;  // whether a vertex has left the mesh
+    Buffer<VertexClass> classes;        // of vertices: all fixed until classify_vertices()
+    Buffer<std::uint8_t> is_lost;       // whether a vertex has left the mesh
+    Buffer<std::uint32_t> last_change;  // the round in which tetrahedra at a vertex changed, or 0
     KeptEdges edges;
 
     struct Label {

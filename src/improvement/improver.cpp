@@ -5,6 +5,18 @@
 #include <utility>
 
 namespace mgdt {
+namespace {
+
+// Kinds of tries for a tetrahedron.
+constexpr FailedTries::Kind flips = {1, 1}, contractions = {2, 2}, insertions = {4, 4},
+                            raised_insertions = {8, 8};
+
+// Kinds of moves of a vertex. In the tail they do not end where the goal is reached; but if the
+// first one fails there, it fails anywhere. Moves that push have fewer conditions than all others.
+constexpr FailedTries::Kind moves = {1, 1}, tail_moves = {2, 2 | 1}, raised_moves = {4, 4},
+                            pushing_moves = {8, 8 | 4 | 2 | 1};
+
+}  // namespace
 
 bool Improver::find_flip(std::uint32_t t, Finder& finder, Change& best) const {
     best.clear();
@@ -43,38 +55,66 @@ std::size_t Improver::count_changes(StageProgress& progress, const Pass& pass) {
     return count;
 }
 
-std::size_t Improver::flip(StageProgress& progress) {
+// The last round that has changed something that flips and contractions of a tetrahedron depend on:
+// tetrahedra at its corners, and at those behind its faces. An insertion also depends on what is
+// farther away, but is not tried again for that alone.
+std::uint32_t Improver::last_change(std::uint32_t t) const noexcept {
+    const FlexibleMesh::Tetrahedron& one = mesh_.tetrahedra[t];
+    std::uint32_t last = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+        last = std::max(last, mesh_.last_change[one.v[i]]);
+        if (one.n[i] == no_index) continue;
+        last = std::max(last, mesh_.last_change[mesh_.of(one.n[i]).v[one.n[i] % 4]]);
+    }
+    return last;
+}
+
+// Calls find(t, finder, change) for the candidates for which it has not failed, or not since
+// something there has changed.
+template <class Find>
+std::size_t Improver::run_round(FailedTries::Kind kind, StageProgress& progress, const Find& find) {
+    failed_.resize(mesh_.tetrahedra.size());
     return count_changes(progress, [&] {
         return round_.run(candidates_.size(), progress,
                           [&](std::size_t k, unsigned member, Change& change) {
-                              return find_flip(candidates_[k], finders_[member], change);
+                              const std::uint32_t t = candidates_[k], last = last_change(t);
+                              if (failed_.has(t, kind, last)) return false;
+                              if (find(t, finders_[member], change)) return true;
+                              failed_.add(t, kind, mesh_.round, last);
+                              return false;
                           });
+    });
+}
+
+std::size_t Improver::flip(StageProgress& progress) {
+    return run_round(flips, progress, [&](std::uint32_t t, Finder& finder, Change& change) {
+        return find_flip(t, finder, change);
     });
 }
 
 std::size_t Improver::contract(StageProgress& progress) {
-    return count_changes(progress, [&] {
-        return round_.run(candidates_.size(), progress,
-                          [&](std::size_t k, unsigned member, Change& change) {
-                              return find_contraction(candidates_[k], finders_[member], change);
-                          });
+    return run_round(contractions, progress, [&](std::uint32_t t, Finder& finder, Change& change) {
+        return find_contraction(t, finder, change);
     });
 }
 
 std::size_t Improver::insert(StageProgress& progress) {
-    return count_changes(progress, [&] {
-        return round_.run(candidates_.size(), progress,
-                          [&](std::size_t k, unsigned member, Change& change) {
-                              return finders_[member].insertion.find(candidates_[k], goal_, change);
-                          });
+    const FailedTries::Kind kind = goal_ != settings_.goal ? raised_insertions : insertions;
+    return run_round(kind, progress, [&](std::uint32_t t, Finder& finder, Change& change) {
+        return finder.insertion.find(t, goal_, change);
     });
 }
 
 std::size_t Improver::smooth(StageProgress& progress) {
     constexpr int most_moves = 4;
     return count_changes(progress, [&] {
-        return smoothing_.pass(
-            candidates_, {most_moves, is_tail_ ? best_quality : goal_, goal_, pushes_}, progress);
+        const FailedTries::Kind kind = pushes_                   ? pushing_moves
+                                       : goal_ != settings_.goal ? raised_moves
+                                       : is_tail_                ? tail_moves
+                                                                 : moves;
+        return smoothing_.pass(candidates_,
+                               {most_moves, is_tail_ ? best_quality : goal_, goal_, pushes_}, kind,
+                               progress);
     });
 }
 

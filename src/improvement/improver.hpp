@@ -27,6 +27,7 @@ class Improver {
           round_(mesh, team),
           finders_(team, mesh.allocator(), &mesh, settings.slides),
           smoothing_(mesh, team),
+          failed_(mesh.allocator()),
           candidates_(mesh.allocator()),
           is_near_(mesh.allocator()) {}
 
@@ -60,6 +61,9 @@ class Improver {
         VertexInsertion insertion;
         Change other;
     };
+    std::uint32_t last_change(std::uint32_t t) const noexcept;
+    template <class Find>
+    std::size_t run_round(FailedTries::Kind kind, StageProgress& progress, const Find& find);
     template <class Pass>
     std::size_t count_changes(StageProgress& progress, const Pass& pass);
     bool find_flip(std::uint32_t t, Finder& finder, Change& best) const;
@@ -74,6 +78,7 @@ class Improver {
     ChangeRound round_;
     PerMember<Finder> finders_;
     Smoothing smoothing_;
+    FailedTries failed_;                // of tetrahedra
     Buffer<std::uint32_t> candidates_;  // tetrahedra
     Buffer<std::uint8_t> is_near_;      // whether a vertex is near what is left
     double goal_ = 0;                   // below which tetrahedra are candidates

@@ -16,6 +16,7 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
       x(allocator),
       classes(allocator),
       is_lost(allocator),
+      last_change(allocator),
       edges(allocator),
       labels(allocator),
       allocator_(allocator),
@@ -27,6 +28,7 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
     x.resize(from.points.size());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
     is_lost.resize(x.size() / 3, 0);
+    last_change.resize(x.size() / 3, 0);
     classes.resize(x.size() / 3, {Freedom::fixed, false, {0, 0, 0}});
     const auto count = static_cast<std::uint32_t>(from.tetrahedron_count());
     tetrahedra.resize(count);

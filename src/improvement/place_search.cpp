@@ -17,12 +17,13 @@ double product_of(const double (&v)[3], const double (&w)[3]) {
 
 }  // namespace
 
-double PlaceSearch::worst_at(const double (&place)[3]) {
+void PlaceSearch::evaluate(const double (&place)[3]) noexcept {
+    for (Face& face : faces_) face.quality = quality_of(place, face.p[0], face.p[1], face.p[2]);
+}
+
+double PlaceSearch::worst() const noexcept {
     double worst = above_all;
-    for (Face& face : faces_) {
-        face.quality = quality_of(place, face.p[0], face.p[1], face.p[2]);
-        worst = std::min(worst, face.quality);
-    }
+    for (const Face& face : faces_) worst = std::min(worst, face.quality);
     return worst;
 }
 
@@ -67,11 +68,11 @@ void PlaceSearch::find_direction(unsigned active, double (&d)[3]) const {
 // Each step goes along the direction in which the worst tetrahedra become better, as far as the
 // next one lets it (Freitag and Ollivier-Gooch, International Journal for Numerical Methods in
 // Engineering 40, 1997).
-double PlaceSearch::improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]) {
+bool PlaceSearch::improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]) {
     constexpr int most_tries = 4;
     constexpr double about_the_worst = 1.1, least_gain = 1.001, least_share = 1e-10;
-    double worst = worst_at(place), reached = 0;
-    double missing = 0;
+    double worst = this->worst(), missing = 0;
+    bool has_moved = false;
     for (const Face& face : faces_) missing += missing_to(moves.goal, face.quality);
     next_.resize(faces_.size());
     for (int move = 0; move < moves.most && worst > 0 && worst < moves.enough; ++move) {
@@ -117,10 +118,11 @@ double PlaceSearch::improve(const VertexClass& freedom, const Moves& moves, doub
         if (!is_better) break;
         std::copy_n(to, 3, place);
         for (std::size_t f = 0; f < faces_.size(); ++f) faces_[f].quality = next_[f];
-        reached = worst = there;
+        worst = there;
+        has_moved = true;
         missing = missing_there;
     }
-    return reached;
+    return has_moved;
 }
 
 double PlaceSearch::mean_at(const double (&place)[3]) const {
@@ -131,7 +133,7 @@ double PlaceSearch::mean_at(const double (&place)[3]) const {
 
 bool PlaceSearch::improve_mean(const VertexClass& freedom, double goal, double (&place)[3]) {
     constexpr int most_tries = 2;
-    const double least = std::min(goal, worst_at(place)), mean = mean_at(place);
+    const double least = std::min(goal, worst()), mean = mean_at(place);
     double way[3] = {0, 0, 0};
     const double corners = 3 * static_cast<double>(faces_.size());
     for (const Face& face : faces_)

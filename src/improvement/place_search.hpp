@@ -22,14 +22,17 @@ class PlaceSearch {
 
     // The faces opposite the vertex in its tetrahedra: with the vertex as a, abcd is positive.
     void clear() noexcept { faces_.clear(); }
-    void add(const double* b, const double* c, const double* d) {
-        faces_.push_back({{b, c, d}, 0});
+    void add(const double* b, const double* c, const double* d, double quality = 0) {
+        faces_.push_back({{b, c, d}, quality});
     }
-    // The worst quality of the tetrahedra with the vertex at a place.
-    double worst_at(const double (&place)[3]);
+    // Computes the qualities of the tetrahedra with the vertex at a place.
+    void evaluate(const double (&place)[3]) noexcept;
+    double quality(std::size_t face) const noexcept { return faces_[face].quality; }
+    double worst() const noexcept;
     // Moves the vertex as its class allows, each time so that the worst tetrahedron becomes better.
-    // Returns the worst quality, or 0 if the vertex has not moved.
-    double improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]);
+    // The qualities are those at the place, before and afterwards. Returns whether the vertex has
+    // moved.
+    bool improve(const VertexClass& freedom, const Moves& moves, double (&place)[3]);
     // Moves the vertex towards the middle of the faces, if that makes the mean of the tetrahedra
     // better, and none of them worse than the goal or the worst one now. Returns whether the vertex
     // has moved.

@@ -33,7 +33,7 @@ void Smoothing::collect_stars(StageProgress& progress) {
                     Mover& mover = movers_[member];
                     for (std::size_t k = begin; k < end; ++k) {
                         progress.step(k, begin, end, member);
-                        stars_[k] = {mover.tetrahedra.size(), member, 0};
+                        stars_[k] = {mover.tetrahedra.size(), member, 0, false};
                         if (!mover.star.collect(mesh_, candidates_[k])) continue;
                         for (const std::uint32_t t : mover.star.tetrahedra)
                             mover.tetrahedra.push_back(t);
@@ -69,33 +69,48 @@ void Smoothing::color() {
             order_[next[color - 1]++] = k;
 }
 
-// Moves the vertices to places that search(search, class, place) finds.
+// Moves the vertices to places that search(search, vertex, place) finds.
 template <class Search>
 std::size_t Smoothing::move_all(const Buffer<std::uint32_t>& tetrahedra, StageProgress& progress,
                                 const Search& search) {
     choose_candidates(tetrahedra);
     collect_stars(progress);
     color();
-    for (Mover& mover : movers_) mover.moved = 0;
+    ++mesh_.round;
+    std::size_t moved = 0;
     constexpr std::size_t vertices_per_thread = 32;
     for (unsigned c = 0; c < most_colors && begin_of_color_[c] < order_.size(); ++c) {
-        const std::size_t first = begin_of_color_[c];
-        team_.split(begin_of_color_[c + 1] - first, vertices_per_thread,
+        const std::size_t first = begin_of_color_[c], last = begin_of_color_[c + 1];
+        team_.split(last - first, vertices_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned member) {
                         Mover& mover = movers_[member];
                         for (std::size_t k = begin; k < end; ++k) {
                             progress.step(k, begin, end, member);
-                            if (move(order_[first + k], mover, search)) ++mover.moved;
+                            move(order_[first + k], mover, search);
                         }
                     });
+        moved += note_moves(first, last);
     }
+    return moved;
+}
+
+// Notes which stars have changed, after the moves of a colour: threads share the neighbours of the
+// vertices that they move. Returns how many vertices have moved.
+std::size_t Smoothing::note_moves(std::size_t begin, std::size_t end) {
     std::size_t moved = 0;
-    for (const Mover& mover : movers_) moved += mover.moved;
+    for (std::size_t k = begin; k < end; ++k) {
+        const Star& star = stars_[order_[k]];
+        if (!star.has_moved) continue;
+        ++moved;
+        const std::uint32_t* const tetrahedra = tetrahedra_of(star);
+        for (std::uint32_t i = 0; i < star.size; ++i)
+            for (const std::uint32_t v : mesh_.tetrahedra[tetrahedra[i]].v) mesh_.note_change(v);
+    }
     return moved;
 }
 
 template <class Search>
-bool Smoothing::move(std::uint32_t candidate, Mover& mover, const Search& search) {
+void Smoothing::move(std::uint32_t candidate, Mover& mover, const Search& search) {
     const std::uint32_t v = candidates_[candidate];
     const std::uint32_t* const star = tetrahedra_of(stars_[candidate]);
     const std::uint32_t size = stars_[candidate].size;
@@ -108,26 +123,31 @@ bool Smoothing::move(std::uint32_t candidate, Mover& mover, const Search& search
     }
     double place[3];
     std::copy_n(mesh_.point(v), 3, place);
-    if (!search(mover.search, mesh_.classes[v], place)) return false;
+    mover.search.evaluate(place);
+    if (!search(mover.search, v, place)) return;
+    stars_[candidate].has_moved = true;
     std::copy_n(place, 3, mesh_.x.begin() + 3 * std::size_t{v});
     for (std::uint32_t i = 0; i < size; ++i)
         mesh_.qualities[star[i]] = mesh_.quality(mesh_.tetrahedra[star[i]].v);
-    return true;
 }
 
 std::size_t Smoothing::pass(const Buffer<std::uint32_t>& tetrahedra, const Moves& moves,
-                            StageProgress& progress) {
+                            FailedTries::Kind kind, StageProgress& progress) {
+    failed_.resize(mesh_.hints.size());
     return move_all(tetrahedra, progress,
-                    [&](PlaceSearch& search, const VertexClass& freedom, double(&place)[3]) {
-                        return search.improve(freedom, moves, place) > 0;
+                    [&](PlaceSearch& search, std::uint32_t v, double(&place)[3]) {
+                        if (failed_.has(v, kind, mesh_.last_change[v])) return false;
+                        if (search.improve(mesh_.classes[v], moves, place)) return true;
+                        failed_.add(v, kind, mesh_.round, mesh_.last_change[v]);
+                        return false;
                     });
 }
 
 std::size_t Smoothing::pass_for_mean(const Buffer<std::uint32_t>& tetrahedra, double goal,
                                      StageProgress& progress) {
     return move_all(tetrahedra, progress,
-                    [&](PlaceSearch& search, const VertexClass& freedom, double(&place)[3]) {
-                        return search.improve_mean(freedom, goal, place);
+                    [&](PlaceSearch& search, std::uint32_t v, double(&place)[3]) {
+                        return search.improve_mean(mesh_.classes[v], goal, place);
                     });
 }
 

@@ -2,6 +2,7 @@
 // Moves vertices so that the worst tetrahedra at them become better.
 #pragma once
 
+#include "improvement/failed_tries.hpp"
 #include "improvement/flexible_mesh.hpp"
 #include "improvement/place_search.hpp"
 #include "improvement/vertex_star.hpp"
@@ -20,12 +21,14 @@ class Smoothing {
           stars_(mesh.allocator()),
           color_(mesh.allocator()),
           begin_of_color_(mesh.allocator()),
-          order_(mesh.allocator()) {}
+          order_(mesh.allocator()),
+          failed_(mesh.allocator()) {}
 
     // Moves the vertices of some tetrahedra where that makes the worst tetrahedron at the vertex
-    // better. Returns the number of vertices that have moved.
+    // better. Moves of a kind that have failed are not tried again while the star is the same.
+    // Returns the number of vertices that have moved.
     std::size_t pass(const Buffer<std::uint32_t>& tetrahedra, const Moves& moves,
-                     StageProgress& progress);
+                     FailedTries::Kind kind, StageProgress& progress);
     // Moves the vertices of some tetrahedra where that makes the mean better, and none worse than
     // the goal or the worst one at the vertex.
     std::size_t pass_for_mean(const Buffer<std::uint32_t>& tetrahedra, double goal,
@@ -39,12 +42,12 @@ class Smoothing {
         VertexStar star;
         PlaceSearch search;
         Buffer<std::uint32_t> tetrahedra;  // of all stars that the thread has collected
-        std::size_t moved = 0;
     };
     // Where the star of a candidate is.
     struct Star {
         std::size_t begin;
         std::uint32_t member, size;
+        bool has_moved;
     };
 
     void choose_candidates(const Buffer<std::uint32_t>& tetrahedra);
@@ -54,7 +57,8 @@ class Smoothing {
     std::size_t move_all(const Buffer<std::uint32_t>& tetrahedra, StageProgress& progress,
                          const Search& search);
     template <class Search>
-    bool move(std::uint32_t candidate, Mover& mover, const Search& search);
+    void move(std::uint32_t candidate, Mover& mover, const Search& search);
+    std::size_t note_moves(std::size_t begin, std::size_t end);
     const std::uint32_t* tetrahedra_of(const Star& star) const noexcept {
         return movers_[star.member].tetrahedra.begin() + star.begin;
     }
@@ -67,6 +71,7 @@ class Smoothing {
     Buffer<std::uint8_t> color_;            // of each vertex, 0 for none
     Buffer<std::uint32_t> begin_of_color_;  // where the candidates of each colour begin
     Buffer<std::uint32_t> order_;           // candidates by colour
+    FailedTries failed_;                    // of vertices
 };
 
 }  // namespace mgdt

@@ -22,16 +22,18 @@ class VertexInsertion {
     bool find(std::uint32_t t, double goal, Change& change);
 
   private:
-    // A face of the cavity: a, b, c and the new vertex are positive.
+    // A face of the cavity: the new vertex, v[0], v[1] and v[2] are positive.
     struct Face {
         std::uint32_t v[3];
         std::uint32_t code;  // in the tetrahedron of the cavity
-        double quality;
+        double quality;      // of the new tetrahedron
     };
 
-    void collect_faces(std::size_t size);
+    void begin(std::uint32_t t);
+    void add(std::uint32_t t);
     bool grow();
-    bool keeps_vertices_and_edges(std::size_t size) const;
+    double move(double goal);
+    bool keeps_vertices_and_edges() const;
 
     const FlexibleMesh& mesh_;
     PlaceSearch search_;

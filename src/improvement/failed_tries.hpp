@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Remembers which tries have failed, so that they are not repeated while nothing has changed.
+#pragma once
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+class FailedTries {
+  public:
+    // A set of kinds of tries: each kind is one bit.
+    using Kinds = std::uint8_t;
+    struct Kind {
+        Kinds bit;
+        Kinds implied;  // the kinds that fail wherever this one fails, with its own bit
+    };
+
+    explicit FailedTries(Allocator& allocator) : items_(allocator) {}
+
+    // What is tried is a tetrahedron or a vertex: there are `count`.
+    void resize(std::size_t count) {
+        items_.grow(count);
+        items_.resize(count, {0, 0});
+    }
+    // Whether tries of this kind have failed in a round after the last change.
+    bool has(std::size_t i, Kind kind, std::uint32_t last_change) const noexcept {
+        return last_change < items_[i].round && (items_[i].kinds & kind.bit) != 0;
+    }
+    // A try of this kind has failed in a round. Threads add different i.
+    void add(std::size_t i, Kind kind, std::uint32_t round, std::uint32_t last_change) noexcept {
+        Item& item = items_[i];
+        if (last_change >= item.round) item.kinds = 0;
+        item.kinds = static_cast<Kinds>(item.kinds | kind.implied);
+        item.round = round;
+    }
+
+  private:
+    struct Item {
+        std::uint32_t round;
+        Kinds kinds;
+    };
+    Buffer<Item> items_;
+};
+
+}  // namespace mgdt
