@@ -73,7 +73,8 @@ void build(MeshObject& m, StageProgress& progress) {
     if (state.input.tetrahedra.empty())
         fail(MGDT_ERR_INVALID_ARGUMENT, "no tetrahedra have been set since the last build");
     SolidMesh made(m.allocator());
-    link_mesh(state.input, m.settings().index_base, m.allocator(), progress, made);
+    Team team(thread_count(m.settings()));
+    link_mesh(state.input, m.settings().index_base, team, m.allocator(), progress, made);
     state.forget_places();
     static_cast<SolidMesh&>(state) = std::move(made);
     state.fixed_points = std::move(state.fixed_input_points);

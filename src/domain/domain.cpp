@@ -262,8 +262,9 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
     if (found.has_inside && found.markers.empty())
         fail(MGDT_ERR_OPEN_BOUNDARY, "all that the facets enclose are holes");
+    Team team(thread_count(settings_));
     assemble({input_, complex, facets, grid, constrained, segments.parts, segments.steiner, found},
-             settings_.rounds_points, allocator_, mesh);
+             settings_.rounds_points, team, allocator_, mesh);
     if (settings_.is_strict) require_all_used(mesh);
     return std::nullopt;
 }

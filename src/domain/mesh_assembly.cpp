@@ -12,8 +12,8 @@ namespace {
 
 class Assembly {
   public:
-    Assembly(const DomainParts& parts, Allocator& allocator, SolidMesh& out)
-        : parts_(parts), out_(out), allocator_(allocator), number_(allocator) {}
+    Assembly(const DomainParts& parts, Team& team, Allocator& allocator, SolidMesh& out)
+        : parts_(parts), out_(out), team_(team), allocator_(allocator), number_(allocator) {}
 
     void run(bool rounds) {
         write_tetrahedra();
@@ -50,7 +50,7 @@ class Assembly {
             record.sort();
             records.push_back(record);
         }
-        std::sort(records.begin(), records.end());
+        sort_by_corners(team_, allocator_, records);
         number_.resize(tetrahedra.size(), no_index);
         for (std::uint32_t i = 0; i < records.size(); ++i) number_[records[i].from] = i;
         // Regions are numbered in the order of their first tetrahedra.
@@ -88,7 +88,7 @@ class Assembly {
                 record.sort();
                 records.push_back(record);
             }
-        std::sort(records.begin(), records.end());
+        sort_by_corners(team_, allocator_, records);
         for (const SortedCorners<3>& record : records) write_face(record);
     }
 
@@ -213,15 +213,17 @@ class Assembly {
 
     const DomainParts& parts_;
     SolidMesh& out_;
+    Team& team_;
     Allocator& allocator_;
     Buffer<std::uint32_t> number_;  // of each tetrahedron in the result, or `no_index`
 };
 
 }  // namespace
 
-void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, SolidMesh& out) {
+void assemble(const DomainParts& parts, bool rounds, Team& team, Allocator& allocator,
+              SolidMesh& out) {
     out.grid = parts.grid;
-    Assembly(parts, allocator, out).run(rounds);
+    Assembly(parts, team, allocator, out).run(rounds);
 }
 
 }  // namespace mgdt

@@ -6,6 +6,7 @@
 #include "boundary/planar_facets.hpp"
 #include "domain/regions.hpp"
 #include "domain/segment_splitting.hpp"
+#include "parallel/team.hpp"
 #include "solid/solid_mesh.hpp"
 
 namespace mgdt {
@@ -25,6 +26,7 @@ struct DomainParts {
 // Writes the tetrahedra inside of the domain, the faces and the edges, sorted by their corners. The
 // result depends on the points, facets and segments alone. Points have the caller's coordinates if
 // all tetrahedra are positive with them and `rounds` is not set; otherwise they are rounded.
-void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, SolidMesh& out);
+void assemble(const DomainParts& parts, bool rounds, Team& team, Allocator& allocator,
+              SolidMesh& out);
 
 }  // namespace mgdt

@@ -19,7 +19,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     using Side = std::uint32_t;
     static constexpr std::uint32_t label_of(Side side) noexcept { return side / 2; }
 
-    FlexibleMesh(const SolidMesh& from, Allocator& allocator);
+    FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocator);
 
     Allocator& allocator() const noexcept { return allocator_; }
     const double* point(std::uint32_t v) const noexcept { return x.begin() + 3 * std::size_t{v}; }
@@ -78,6 +78,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     void collect_faces(const Change& change);
     bool pair_faces(const Change& change);
     void add_vertex(Change& change);
+    void read_tetrahedron(const SolidMesh& from, std::size_t t) noexcept;
     void read_faces(const SolidMesh& from);
     void write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& made) const;
     void write_faces(const Buffer<std::uint32_t>& number, const SolidMesh& before,
@@ -91,6 +92,7 @@ class FlexibleMesh : public LinkedTetrahedra {
         bool is_new;
         Side side;
     };
+    Team& team_;
     Allocator& allocator_;
     int scale_ = 0;  // x is the coordinates times 2^-scale_
     Buffer<Face> faces_;

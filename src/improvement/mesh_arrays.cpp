@@ -8,8 +8,13 @@
 #include "mesh/scale.hpp"
 
 namespace mgdt {
+namespace {
 
-FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
+constexpr std::size_t tetrahedra_per_thread = 4096;
+
+}  // namespace
+
+FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocator)
     : LinkedTetrahedra(allocator),
       regions(allocator),
       qualities(allocator),
@@ -19,6 +24,7 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
       last_change(allocator),
       edges(allocator),
       labels(allocator),
+      team_(team),
       allocator_(allocator),
       faces_(allocator),
       links_(allocator),
@@ -35,25 +41,30 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Allocator& allocator)
     hints.resize(x.size() / 3, no_tetrahedron);
     regions.resize(count);
     qualities.resize(count);
-    for (std::uint32_t t = 0; t < count; ++t) {
-        Tetrahedron& to = tetrahedra[t];
-        for (unsigned i = 0; i < 4; ++i) {
-            to.v[i] = from.tetrahedra[4 * std::size_t{t} + i];
-            to.facets[i] = no_index;
-            hints[to.v[i]] = t;
-            const std::uint32_t next = from.neighbors[4 * std::size_t{t} + i];
-            to.n[i] = no_index;
-            if (next == no_index) continue;
-            const std::uint32_t* const back = from.neighbors.begin() + 4 * std::size_t{next};
-            to.n[i] = 4 * next + static_cast<std::uint32_t>(std::find(back, back + 4, t) - back);
-        }
-        regions[t] = from.regions[t];
-        qualities[t] = quality(to.v);
-    }
+    team_.split(count, tetrahedra_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t t = begin; t < end; ++t) read_tetrahedron(from, t);
+    });
+    for (std::uint32_t t = 0; t < count; ++t)
+        for (const std::uint32_t v : tetrahedra[t].v) hints[v] = t;
     read_faces(from);
     for (std::size_t e = 0; e < from.edge_segments.size(); ++e)
         edges.add(from.edges[2 * e], from.edges[2 * e + 1],
                   {from.edge_segments[e], from.edge_markers[e]});
+}
+
+void FlexibleMesh::read_tetrahedron(const SolidMesh& from, std::size_t t) noexcept {
+    Tetrahedron& to = tetrahedra[t];
+    for (unsigned i = 0; i < 4; ++i) {
+        to.v[i] = from.tetrahedra[4 * t + i];
+        to.facets[i] = no_index;
+        const std::uint32_t next = from.neighbors[4 * t + i];
+        to.n[i] = no_index;
+        if (next == no_index) continue;
+        const std::uint32_t* const back = from.neighbors.begin() + 4 * std::size_t{next};
+        to.n[i] = 4 * next + static_cast<std::uint32_t>(std::find(back, back + 4, t) - back);
+    }
+    regions[t] = from.regions[t];
+    qualities[t] = quality(to.v);
 }
 
 void FlexibleMesh::read_faces(const SolidMesh& from) {
@@ -117,21 +128,28 @@ void FlexibleMesh::write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& ma
         record.sort();
         records.push_back(record);
     }
-    std::sort(records.begin(), records.end());
+    sort_by_corners(team_, allocator_, records);
     number.resize(tetrahedra.size(), no_index);
     for (std::uint32_t i = 0; i < records.size(); ++i) number[records[i].from] = i;
     const auto number_behind = [&](std::uint32_t code) {
         return code == no_index ? no_index : number[code / 4];
     };
-    for (SortedCorners<4>& record : records) {
-        if (record.is_odd) std::swap(record.v[2], record.v[3]);
-        const Tetrahedron& t = tetrahedra[record.from];
-        for (const std::uint32_t v : record.v) {
-            made.tetrahedra.push_back(v);
-            made.neighbors.push_back(number_behind(t.n[t.position(v)]));
-        }
-        made.regions.push_back(regions[record.from]);
-    }
+    made.tetrahedra.resize(4 * records.size());
+    made.neighbors.resize(4 * records.size());
+    made.regions.resize(records.size());
+    team_.split(records.size(), tetrahedra_per_thread,
+                [&](std::size_t begin, std::size_t end, unsigned) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                        SortedCorners<4> record = records[i];
+                        if (record.is_odd) std::swap(record.v[2], record.v[3]);
+                        const Tetrahedron& t = tetrahedra[record.from];
+                        for (std::size_t k = 0; k < 4; ++k) {
+                            made.tetrahedra[4 * i + k] = record.v[k];
+                            made.neighbors[4 * i + k] = number_behind(t.n[t.position(record.v[k])]);
+                        }
+                        made.regions[i] = regions[record.from];
+                    }
+                });
 }
 
 // Writes the faces at tetrahedra, and those of the mesh before that are at none.
@@ -172,7 +190,7 @@ void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidM
             if (behind != no_index) source.ends[1 - side % 2] = number[behind / 4];
             add(face.corners, source);
         }
-    std::sort(records.begin(), records.end());
+    sort_by_corners(team_, allocator_, records);
     for (const SortedCorners<3>& record : records) {
         const Source& source = sources[record.from];
         if (source.ends[0] == no_index && source.ends[1] == no_index)

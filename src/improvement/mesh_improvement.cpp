@@ -20,7 +20,7 @@ class MeshImprovement {
           team_(team),
           allocator_(allocator),
           report_(report),
-          flexible_(mesh, allocator),
+          flexible_(mesh, team, allocator),
           improver_(flexible_, team, settings()) {}
 
     // Returns false, and leaves the mesh as it was, if its surface has come to meet itself.

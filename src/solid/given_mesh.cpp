@@ -16,9 +16,11 @@ namespace {
 
 class Linking {
   public:
-    Linking(const GivenMesh& given, std::int32_t base, Allocator& allocator, SolidMesh& out)
+    Linking(const GivenMesh& given, std::int32_t base, Team& team, Allocator& allocator,
+            SolidMesh& out)
         : given_(given),
           base_(base),
+          team_(team),
           allocator_(allocator),
           out_(out),
           sides_(allocator),
@@ -87,7 +89,7 @@ class Linking {
             sorted.push_back({{v[0], v[1], v[2], v[3]}, t, false});
             sorted.back().sort();
         }
-        std::sort(sorted.begin(), sorted.end());
+        sort_by_corners(team_, allocator_, sorted);
         for (std::size_t t = 1; t < sorted.size(); ++t)
             if (sorted[t].has_same_corners(sorted[t - 1]))
                 fail(MGDT_ERR_INVALID_ARGUMENT, "tetrahedra %lld and %lld have the same corners",
@@ -121,9 +123,7 @@ class Linking {
                 side.sort();
                 sides_.push_back(side);
             }
-        std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-            return a < b || (!(b < a) && a.from < b.from);
-        });
+        sort_by_corners(team_, allocator_, sides_);
     }
 
     // Links tetrahedra at a common face, and collects the faces where the mesh or a region ends.
@@ -163,10 +163,8 @@ class Linking {
 
     // Sorts the faces, of equal ones the caller's first, and finds their tetrahedra.
     void find_tetrahedra_of_faces() {
-        std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
-            return a.corners < b.corners ||
-                   (!(b.corners < a.corners) && a.corners.from < b.corners.from);
-        });
+        std::sort(faces_.begin(), faces_.end(),
+                  [](const Face& a, const Face& b) { return a.corners < b.corners; });
         std::size_t kept = 0;
         for (std::size_t f = 0; f < faces_.size(); ++f) {
             const Face& face = faces_[f];
@@ -181,7 +179,7 @@ class Linking {
         faces_.resize(kept);
         const Side* side = sides_.begin();
         for (Face& face : faces_) {
-            while (side != sides_.end() && *side < face.corners) ++side;
+            while (side != sides_.end() && side->has_smaller_corners(face.corners)) ++side;
             if (side == sides_.end() || !side->has_same_corners(face.corners))
                 fail(MGDT_ERR_INVALID_ARGUMENT, "face %lld is no face of a tetrahedron",
                      number(face.corners.from));
@@ -362,6 +360,7 @@ class Linking {
 
     const GivenMesh& given_;
     const std::int64_t base_;
+    Team& team_;
     Allocator& allocator_;
     SolidMesh& out_;
     Buffer<Side> sides_;  // all faces of tetrahedra, sorted
@@ -370,9 +369,9 @@ class Linking {
 
 }  // namespace
 
-void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
+void link_mesh(const GivenMesh& given, std::int32_t index_base, Team& team, Allocator& allocator,
                StageProgress& progress, SolidMesh& out) {
-    Linking(given, index_base, allocator, out).run(progress);
+    Linking(given, index_base, team, allocator, out).run(progress);
 }
 
 }  // namespace mgdt

@@ -2,6 +2,7 @@
 // A mesh that a caller gives as lists of tetrahedra, faces and edges.
 #pragma once
 
+#include "parallel/team.hpp"
 #include "platform/stage_progress.hpp"
 #include "solid/solid_mesh.hpp"
 
@@ -36,7 +37,7 @@ struct GivenMesh {
 // MGDT_ERR_INVALID_ARGUMENT, with the number of what is wrong, if a tetrahedron is flat, if
 // more than two tetrahedra have a face in common or two are on the same side of one, or if no
 // tetrahedron has a listed face or edge.
-void link_mesh(const GivenMesh& given, std::int32_t index_base, Allocator& allocator,
+void link_mesh(const GivenMesh& given, std::int32_t index_base, Team& team, Allocator& allocator,
                StageProgress& progress, SolidMesh& out);
 
 }  // namespace mgdt

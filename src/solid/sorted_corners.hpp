@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "query/canonical_sort.hpp"
+
 namespace mgdt {
 
 // A tetrahedron or a face for sorting: its corners in ascending order, and its number.
@@ -15,8 +17,14 @@ struct SortedCorners {
     std::uint32_t from;
     bool is_odd;  // whether sorting has changed the orientation
 
+    // By corners, and among those with the same corners by number.
     friend bool operator<(const SortedCorners& a, const SortedCorners& b) {
-        return std::lexicographical_compare(a.v, a.v + n, b.v, b.v + n);
+        for (int i = 0; i < n; ++i)
+            if (a.v[i] != b.v[i]) return a.v[i] < b.v[i];
+        return a.from < b.from;
+    }
+    bool has_smaller_corners(const SortedCorners& other) const {
+        return std::lexicographical_compare(v, v + n, other.v, other.v + n);
     }
     bool has_same_corners(const SortedCorners& other) const {
         return std::equal(v, v + n, other.v);
@@ -30,5 +38,19 @@ struct SortedCorners {
             }
     }
 };
+
+// Sorts records in ascending order.
+template <int n>
+void sort_by_corners(Team& team, Allocator& allocator, Buffer<SortedCorners<n>>& records) {
+    constexpr std::size_t records_per_thread = 65536;
+    std::uint32_t last = 0;
+    for (const SortedCorners<n>& record : records) last = std::max(last, record.v[0]);
+    canonical_sort<SortedCorners<n>>(
+        team, allocator, records.size(), records_per_thread, std::size_t{last} + 1,
+        [&](std::size_t begin, std::size_t end, const auto& add) {
+            for (std::size_t i = begin; i < end; ++i) add(records[i].v[0], records[i]);
+        },
+        [&](std::size_t, std::size_t i, const SortedCorners<n>& record) { records[i] = record; });
+}
 
 }  // namespace mgdt

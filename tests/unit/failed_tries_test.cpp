@@ -45,7 +45,8 @@ TEST(FailedTries, LeaveOutNothingThatWouldSucceed) {
         const bool slides = seed % 2 == 0;
         Allocator memory;
         Team team(1);
-        FlexibleMesh one(domain.mesh(), memory), other(domain.mesh(), memory);
+        FlexibleMesh one(domain.mesh(), one_thread(), memory),
+            other(domain.mesh(), one_thread(), memory);
         classify(one, slides);
         classify(other, slides);
         const ImprovementSettings settings = settings_for(60, slides);

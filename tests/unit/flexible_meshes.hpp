@@ -12,6 +12,7 @@
 #include "improvement/quality.hpp"
 #include "improvement/vertex_classes.hpp"
 #include "mesh_volumes.hpp"
+#include "one_thread.hpp"
 #include "unwatched.hpp"
 
 namespace mgdt {

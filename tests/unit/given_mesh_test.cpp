@@ -11,6 +11,7 @@
 #include "improvable_meshes.hpp"
 #include "improvement/flexible_mesh.hpp"
 #include "mesh_volumes.hpp"
+#include "one_thread.hpp"
 
 namespace mgdt {
 namespace {
@@ -58,7 +59,7 @@ TEST(GivenMesh, IsThatOfTheDomain) {
         Shuffled given(expected, ++seed);
         Allocator memory;
         SolidMesh mesh(memory);
-        link_mesh(given.mesh, 0, memory, Unwatched(), mesh);
+        link_mesh(given.mesh, 0, one_thread(), memory, Unwatched(), mesh);
         ASSERT_EQ(mesh.region_markers.size(), expected.region_markers.size());
         for (std::size_t t = 0; t < mesh.tetrahedron_count(); ++t) {
             ASSERT_TRUE(std::is_permutation(mesh.tetrahedra.begin() + 4 * t,
@@ -77,7 +78,7 @@ TEST(GivenMesh, IsThatOfTheDomain) {
             ADD_FAILURE() << e.message;
         }
         // The mesh that is written back is sorted.
-        FlexibleMesh(mesh, memory).write(mesh);
+        FlexibleMesh(mesh, one_thread(), memory).write(mesh);
         EXPECT_TRUE(std::equal(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
                                expected.tetrahedra.begin(), expected.tetrahedra.end()));
         EXPECT_TRUE(std::equal(mesh.neighbors.begin(), mesh.neighbors.end(),
@@ -92,14 +93,14 @@ TEST(GivenMesh, JoinsFacesInOnePlane) {
     Shuffled given(domain.mesh(), 1);
     Allocator memory;
     SolidMesh mesh(memory);
-    link_mesh(given.mesh, 0, memory, Unwatched(), mesh);
+    link_mesh(given.mesh, 0, one_thread(), memory, Unwatched(), mesh);
     EXPECT_EQ(mesh.planar_facets, 6u);
     EXPECT_EQ(mesh.edges.size() / 2, 36u);
     // Without the caller's faces those at the end of the mesh are found.
     given.mesh.faces.clear();
     given.mesh.face_markers.clear();
     SolidMesh bare(memory);
-    link_mesh(given.mesh, 0, memory, Unwatched(), bare);
+    link_mesh(given.mesh, 0, one_thread(), memory, Unwatched(), bare);
     EXPECT_EQ(bare.planar_facets, 6u);
     EXPECT_EQ(bare.face_facets.size(), mesh.face_facets.size());
     // An edge of the caller's inside of a side stays, and has its marker.
@@ -107,7 +108,7 @@ TEST(GivenMesh, JoinsFacesInOnePlane) {
     given.mesh.edges.push_back(bare.faces[0]);
     given.mesh.edge_markers.push_back(-5);
     SolidMesh edged(memory);
-    link_mesh(given.mesh, 0, memory, Unwatched(), edged);
+    link_mesh(given.mesh, 0, one_thread(), memory, Unwatched(), edged);
     EXPECT_EQ(std::count(edged.edge_markers.begin(), edged.edge_markers.end(), -5), 1);
     EXPECT_EQ(edged.edge_markers[0], -5);
     EXPECT_EQ(edged.edge_segments[0], 0u);
@@ -130,7 +131,8 @@ class Refusals : public testing::Test {
     }
     void expect(const char* message) {
         SolidMesh refused(memory);
-        const Error error = error_of([&] { link_mesh(given, 1, memory, Unwatched(), refused); });
+        const Error error =
+            error_of([&] { link_mesh(given, 1, one_thread(), memory, Unwatched(), refused); });
         EXPECT_EQ(error.status, MGDT_ERR_INVALID_ARGUMENT);
         EXPECT_STREQ(error.message, message);
     }
@@ -141,7 +143,7 @@ class Refusals : public testing::Test {
 using GivenMeshRefusals = Refusals;
 
 TEST_F(GivenMeshRefusals, TwoTetrahedraAreAMesh) {
-    link_mesh(given, 1, memory, Unwatched(), mesh);
+    link_mesh(given, 1, one_thread(), memory, Unwatched(), mesh);
     EXPECT_EQ(mesh.face_facets.size(), 6u);
     EXPECT_EQ(mesh.unused_points.size(), 2u);
     // The faces in the planes x = 0 and y = 0 continue each other at one edge each.

@@ -24,7 +24,7 @@ TEST(Improvement, KeepsRegionsAndFacets) {
         const Sums before = sums_of(given);
         for (const bool slides : {false, true}) {
             Allocator memory;
-            FlexibleMesh mesh(given, memory);
+            FlexibleMesh mesh(given, one_thread(), memory);
             const double worst = worst_of(mesh);
             improve(mesh, settings_for(25, slides), 1);
             expect_sound(mesh);
@@ -58,7 +58,7 @@ TEST(Improvement, ReachesItsGoalInABox) {
     domain.build();
     for (const auto& [slides, degrees] : {std::pair{false, 20.0}, {true, 25.0}, {true, 30.0}}) {
         Allocator memory;
-        FlexibleMesh mesh(domain.mesh(), memory);
+        FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
         const ImprovementSettings settings = settings_for(degrees, slides);
         EXPECT_LT(worst_of(mesh), std::pow(sine_of(2), 2));
         improve(mesh, settings, 1);
@@ -93,7 +93,7 @@ TEST(Improvement, EndsBelowAGoalThatIsOutOfReach) {
     give(domain, wedge);
     domain.build();
     Allocator memory;
-    FlexibleMesh mesh(domain.mesh(), memory);
+    FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
     const double before = worst_of(mesh);
     improve(mesh, settings_for(40, true), 1);
     expect_sound(mesh);
@@ -129,7 +129,7 @@ TEST(Improvement, NamesThinFacesAndFixedCorners) {
     give(domain, flat);
     domain.build();
     Allocator memory;
-    FlexibleMesh mesh(domain.mesh(), memory);
+    FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
     Buffer<Reason> reasons(memory);
     explain(mesh, goal, reasons);
     ASSERT_EQ(reasons.size(), 1u);
@@ -155,7 +155,7 @@ TEST(Improvement, IsTheSameForEachNumberOfThreads) {
     Copy expected(domain.mesh());
     for (const unsigned threads : {1u, 2u, 3u, 5u, 16u}) {
         Allocator memory;
-        FlexibleMesh mesh(domain.mesh(), memory);
+        FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
         improve(mesh, settings_for(35, true), threads);
         Copy written(domain.mesh());
         mesh.write(written.mesh);
@@ -174,7 +174,7 @@ TEST(Improvement, OperationsKeepTheMeshSound) {
     for (int operation = 0; operation < 5; ++operation) {
         SCOPED_TRACE(operation);
         Allocator memory;
-        FlexibleMesh mesh(domain.mesh(), memory);
+        FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
         classify(mesh, true);
         Team team(1);
         const ImprovementSettings settings = settings_for(35, true);
@@ -207,7 +207,7 @@ TEST(Improvement, EndsWhereMemoryDoes) {
     std::size_t needed = 0;
     {
         Allocator memory;
-        FlexibleMesh mesh(domain.mesh(), memory);
+        FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
         improve(mesh, settings_for(30, true), 1);
         needed = memory.peak();
         Copy written(domain.mesh());
@@ -221,7 +221,7 @@ TEST(Improvement, EndsWhereMemoryDoes) {
         Allocator memory;
         memory.set_limit(needed * static_cast<std::size_t>(part) / 20);
         try {
-            FlexibleMesh mesh(domain.mesh(), memory);
+            FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
             improve(mesh, settings_for(30, true), 1);
         } catch (const std::bad_alloc&) {
             ++refused;
@@ -244,7 +244,7 @@ TEST(Improvement, ContractsEdgesAlongLines) {
     domain.build();
     ASSERT_EQ(domain.mesh().edge_segments.size(), 36u);
     Allocator memory;
-    FlexibleMesh mesh(domain.mesh(), memory);
+    FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
     classify(mesh, true);
     Team team(1);
     Improver improver(mesh, team, settings_for(20, true));
@@ -274,7 +274,7 @@ TEST(Improvement, RefusesChangesThatDoNotFit) {
     give(domain, gridded_box(4, 4, 3, 0.4, 13, true));
     domain.build();
     Allocator memory;
-    FlexibleMesh mesh(domain.mesh(), memory);
+    FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
     classify(mesh, true);
     EdgeRemoval edges(mesh, true);
     EdgeContraction contractions(mesh);
@@ -354,7 +354,7 @@ TEST(Improvement, SlidingSurfacesDoNotMeet) {
         }
     }
     SolidMesh mesh(memory);
-    link_mesh(given, 0, memory, Unwatched(), mesh);
+    link_mesh(given, 0, one_thread(), memory, Unwatched(), mesh);
     ASSERT_EQ(mesh.planar_facets, 12u);
     ImprovementOptions options;
     options.slides = true;
@@ -368,7 +368,7 @@ TEST(Improvement, SlidingSurfacesDoNotMeet) {
     given.points.resize(54);
     given.tetrahedra.resize(given.tetrahedra.size() / 2);
     SolidMesh alone(memory);
-    link_mesh(given, 0, memory, Unwatched(), alone);
+    link_mesh(given, 0, one_thread(), memory, Unwatched(), alone);
     improve_mesh(alone, options, fixed, team, memory, Unwatched(), report);
     EXPECT_GT(report.moved_points, 0u);
     EXPECT_NO_THROW(check_mesh(alone, 0, memory, Unwatched()));

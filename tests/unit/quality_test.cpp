@@ -108,7 +108,7 @@ TEST(Quality, IsPositiveOnlyIfTheVolumeIs) {
 TEST(FlexibleMesh, ReadsAndWritesMeshes) {
     for_improvable_meshes([](const SolidMesh& given) {
         Allocator memory;
-        const FlexibleMesh mesh(given, memory);
+        const FlexibleMesh mesh(given, one_thread(), memory);
         expect_sound(mesh);
         Copy written(given);
         mesh.write(written.mesh);
