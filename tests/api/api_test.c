@@ -153,6 +153,7 @@ int main(void) {
                   {"domain", test_domain},
                   {"domain_limits", test_domain_limits},
                   {"mesh", test_mesh},
+                  {"given mesh", test_given_mesh},
                   {"improvement", test_improvement},
                   {"periodic", test_periodic},
                   {"periodic_limits", test_periodic_limits}};

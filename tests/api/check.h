@@ -54,6 +54,7 @@ void test_voronoi(void);
 void test_domain(void);
 void test_domain_limits(void);
 void test_mesh(void);
+void test_given_mesh(void);
 void test_improvement(void);
 void test_dual(void);
 void test_memory(void);

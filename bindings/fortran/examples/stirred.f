@@ -82,10 +82,12 @@
       IF (IERR .EQ. MGOK) CALL MGUINT(AFTER, NT, ITET, MARK, IERR)
       IF (IERR .EQ. MGOK) CALL MGUBLD(AFTER, IERR)
 ! Points of the walls may move within these, and points of any kind may
-! go: otherwise those that were added in each step would pile up.
+! go. Two passes that serve the mean of all tetrahedra keep them from the
+! limit: without these, each step has to add points.
       IF (IERR .EQ. MGOK) CALL MGUOPT(AFTER, MGUBND, MGUSLD, IERR)
       IF (IERR .EQ. MGOK) CALL MGUOPT(AFTER, MGUPNT, MGURMV, IERR)
       IF (IERR .EQ. MGOK) CALL MGUOPT(AFTER, MGUGOA, 25, IERR)
+      IF (IERR .EQ. MGOK) CALL MGUOPT(AFTER, MGUMPA, 2, IERR)
       IF (IERR .EQ. MGOK) CALL MGUIMP(AFTER, IERR)
 ! What was added has numbers after those of the points before.
       IF (IERR .EQ. MGOK) CALL MGUNUM(AFTER, MGUNPT, NP, IERR)
