@@ -88,6 +88,80 @@ def ele(markers=True):
         for i, (t, m) in enumerate(zip(TETRAHEDRA, MARKERS)))
 
 
+def vtk(binary, arrays="scalars", data_of_points=False):
+    """A legacy file with the markers as SCALARS, or as an array of FIELD with meshio's name, for both kinds of cells."""
+    n = len(TRIANGLES) + len(TETRAHEDRA)
+    out = [b"# vtk DataFile Version 3.0\n", b"title\n", b"BINARY\n" if binary else b"ASCII\n",
+           b"DATASET UNSTRUCTURED_GRID\n"]
+
+    def numbers(kind, values):
+        values = list(values)
+        out.append((struct.pack(f">{len(values)}{kind}", *values) if binary else
+                    " ".join(map(repr, values)).encode()) + b"\n")
+    out.append(f"POINTS {len(POINTS)} double\n".encode())
+    numbers("d", itertools.chain(*POINTS))
+    out.append(f"CELLS {n} {4 * len(TRIANGLES) + 5 * len(TETRAHEDRA)}\n".encode())
+    numbers("i", itertools.chain(*([len(c)] + c for c in TRIANGLES + TETRAHEDRA)))
+    out.append(f"CELL_TYPES {n}\n".encode())
+    numbers("i", [5] * len(TRIANGLES) + [10] * len(TETRAHEDRA))
+    if data_of_points:
+        out.append(f"POINT_DATA {len(POINTS)}\nVECTORS v double\n".encode())
+        numbers("d", itertools.chain(*POINTS))
+        out.append(b"SCALARS region float 1\nLOOKUP_TABLE default\n")
+        numbers("f", [0.5] * len(POINTS))
+    out.append(f"CELL_DATA {n}\n".encode())
+    if arrays == "scalars":
+        out.append(b"SCALARS region int\nLOOKUP_TABLE default\n")
+        numbers("i", [0] * len(TRIANGLES) + MARKERS)
+        out.append(b"SCALARS facet double 1\nLOOKUP_TABLE default\n")
+        numbers("d", [77.0] * len(TRIANGLES) + [0.0] * len(TETRAHEDRA))
+    else:
+        out.append(f"FIELD FieldData 2\nother 2 {n} float\n".encode())
+        numbers("f", [0.25] * 2 * n)
+        out.append(f"gmsh:physical 1 {n} int\n".encode())
+        numbers("i", [77] * len(TRIANGLES) + MARKERS)
+    return b"".join(out)
+
+
+def vtu(arrays):
+    """A .vtu file in text. `arrays` are the names and values of cell data."""
+    cells = TRIANGLES + TETRAHEDRA
+    ends = list(itertools.accumulate(map(len, cells)))
+
+    def array(name, kind, values, components=1):
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+                + " ".join(map(repr, values)) + "</DataArray>\n")
+    return ('<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid>'
+            f'<Piece NumberOfPoints="{len(POINTS)}" NumberOfCells="{len(cells)}"><Points>'
+            + array("Points", "Float64", itertools.chain(*POINTS), 3) + "</Points><Cells>"
+            + array("connectivity", "Int32", itertools.chain(*cells)) + array("offsets", "Int32", ends)
+            + array("types", "UInt8", [5 if len(c) == 3 else 10 for c in cells]) + "</Cells><CellData>"
+            + "".join(array(name, kind, values) for name, kind, values in arrays)
+            + "</CellData></Piece></UnstructuredGrid></VTKFile>\n")
+
+
+def abaqus(kind):
+    """Regions as *ELEMENT names them, as generated sets with sections, or as sets with mgdt's names."""
+    half = len(TETRAHEDRA) // 2
+    rows = ["*HEADING", "*NODE"] + [f"{i + 1}, " + ", ".join(map(repr, p)) for i, p in enumerate(POINTS)]
+    element = [f"{i + 101}, " + ", ".join(str(v + 1) for v in t) for i, t in enumerate(TETRAHEDRA)]
+    last = 100 + len(TETRAHEDRA)
+    shells = ["*ELEMENT, TYPE=S3, ELSET=FLOOR"] + [
+        f"{i + 1}, " + ", ".join(str(v + 1) for v in t) for i, t in enumerate(TRIANGLES)]
+    if kind == "elements":
+        return "\n".join(rows + shells + ["*ELEMENT, TYPE=C3D4, ELSET=LOW"] + element[:half]
+                         + ["*ELEMENT, TYPE=C3D4, ELSET=HIGH"] + element[half:] + [""])
+    rows += shells + ["*ELEMENT, TYPE=C3D4, ELSET=ALL"] + element
+    if kind == "sections":
+        rows += ["*ELSET, ELSET=LOAD", "101, 102, OTHER", "*ELSET, ELSET=LOW, GENERATE", f"101, {100 + half}, 1",
+                 "*Elset, elset=High, generate", f"{101 + half}, {last}", "*SOLID SECTION, ELSET=LOW, MATERIAL=CLAY",
+                 "*SOLID SECTION, ELSET=HIGH, MATERIAL=SAND"]
+    else:
+        rows += ["*ELSET, ELSET=REGION_3"] + [str(i) for i in range(101, 101 + half)]
+        rows += ["*ELSET, ELSET=REGION_M8, GENERATE", f"{101 + half}, {last}"]
+    return "\n".join(rows + [""])
+
+
 class Improve(CliTest):
     def put_all(self):
         self.put("a.mesh", medit())
@@ -125,6 +199,59 @@ class Improve(CliTest):
                     if name == "a.mesh":
                         first = found
                     self.assertEqual(found, first)
+
+    def test_markers_of_cell_data(self):
+        """The regions are those of a.mesh, and so is what comes out; of both kinds of markers."""
+        self.put("a.mesh", medit())
+        self.mgdt("improve", "a.mesh", "-o", "out.mesh")
+        first = self.read("out.mesh")
+        zeros, tens = [0] * len(TRIANGLES), [0] * len(TETRAHEDRA)
+        both = [77] * len(TRIANGLES) + MARKERS
+        self.put("a.vtk", vtk(False))
+        self.put("b.vtk", vtk(True))
+        self.put("c.vtk", vtk(False, "field", True))
+        self.put("d.vtk", vtk(True, "field", True))
+        self.put("a.vtu", vtu([("region", "Int32", zeros + MARKERS), ("facet", "Int32", [77] * len(TRIANGLES) + tens)]))
+        self.put("b.vtu", vtu([("other", "Float32", [0.5] * len(both)), ("gmsh:physical", "Int64", both)]))
+        self.put("c.vtu", vtu([("MaterialIDs", "Float64", [float(m) for m in both])]))
+        for name in ("a.vtk", "b.vtk", "c.vtk", "d.vtk", "a.vtu", "b.vtu", "c.vtu"):
+            with self.subTest(name):
+                self.mgdt("improve", name, "-o", "out.mesh", "--check")
+                found = self.read("out.mesh")
+                self.assertEqual(sorted(row[3] for row in found["Triangles"]).count("77"), 2)
+                self.assertEqual(found["Vertices"], first["Vertices"])
+                self.assertEqual(found["Tetrahedra"], first["Tetrahedra"])
+        # What mgdt has written comes in again with the same markers.
+        for name in ("o.vtu", "o.vtk", "o.inp"):
+            with self.subTest(name):
+                self.mgdt("improve", "-q", "a.mesh", "-o", name)
+                self.mgdt("improve", "-q", name, "-o", "out.mesh")
+                found = self.read("out.mesh")
+                self.assertEqual(found["Tetrahedra"], first["Tetrahedra"])
+                if name != "o.inp":
+                    self.assertEqual(sorted(row[3] for row in found["Triangles"]),
+                                     sorted(row[3] for row in first["Triangles"]))
+        self.put("d.vtu", vtu([("region", "Float64", [0.5] * len(both))]))
+        self.fails(3, "improve", "d.vtu", "-o", "o.mesh", says="region of cell 0: 0.5 is no 32-bit integer")
+        self.put("e.vtk", vtk(False).replace(b"-8", b"4294967296", 1))
+        self.fails(3, "improve", "e.vtk", "-o", "o.mesh", says="4294967296 is no 32-bit integer")
+        self.put("f.vtk", vtk(False).replace(b"CELL_DATA ", b"CELL_DATA 1"))
+        self.fails(3, "improve", "f.vtk", "-o", "o.mesh", says="cells; there are")
+
+    def test_element_sets(self):
+        self.put("a.mesh", medit())
+        self.mgdt("improve", "a.mesh", "-o", "out.mesh")
+        first = self.read("out.mesh")
+        for kind, markers in (("elements", {"3": "1", "-8": "2"}), ("sections", {"3": "1", "-8": "2"}), ("names", {})):
+            with self.subTest(kind):
+                self.put("a.inp", abaqus(kind))
+                self.mgdt("improve", "a.inp", "-o", "out.mesh", "--check")
+                found = self.read("out.mesh")
+                self.assertEqual(found["Vertices"], first["Vertices"])
+                self.assertEqual(found["Tetrahedra"],
+                                 [row[:4] + [markers.get(row[4], row[4])] for row in first["Tetrahedra"]])
+        self.put("c.inp", abaqus("sections").replace("*ELSET, ELSET=LOW, GENERATE\n", "*ELSET, ELSET=LOW, GENERATE\n1, 9999999\n"))
+        self.fails(3, "improve", "c.inp", "-o", "o.mesh", says="1 to 9999999: too many elements")
 
     def test_every_output(self):
         self.put_all()

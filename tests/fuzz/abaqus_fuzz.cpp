@@ -7,8 +7,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::guess(bytes);
     if (const auto mesh = fuzz::read(mgdt::cli::abaqus_format(), bytes))
         fuzz::mesh_returns(mgdt::cli::abaqus_format(), *mesh);
-    mgdt::cli::ReadOptions with_facets;
-    with_facets.has_facets = true;
-    fuzz::read(mgdt::cli::abaqus_format(), bytes, "", with_facets);
+    fuzz::facets_and_markers_read(mgdt::cli::abaqus_format(), bytes);
     return 0;
 }

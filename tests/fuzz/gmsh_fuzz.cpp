@@ -9,8 +9,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::mesh_returns(mgdt::cli::gmsh_format(), *mesh);
         fuzz::mesh_returns(mgdt::cli::gmsh2_format(), *mesh);
     }
-    mgdt::cli::ReadOptions with_facets;
-    with_facets.has_facets = true;
-    fuzz::read(mgdt::cli::gmsh_format(), bytes, "", with_facets);
+    fuzz::facets_and_markers_read(mgdt::cli::gmsh_format(), bytes);
     return 0;
 }

@@ -9,5 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::mesh_returns(mgdt::cli::medit_format(), *mesh);
     if (const auto mesh = fuzz::read(mgdt::cli::medit_binary_format(), bytes))
         fuzz::mesh_returns(mgdt::cli::medit_binary_format(), *mesh);
+    fuzz::facets_and_markers_read(mgdt::cli::medit_format(), bytes);
+    fuzz::facets_and_markers_read(mgdt::cli::medit_binary_format(), bytes);
     return 0;
 }

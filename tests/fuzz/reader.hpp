@@ -113,6 +113,22 @@ inline std::optional<Mesh> read(const Format& format, std::string_view bytes,
     return mesh;
 }
 
+// Reads facets, and then markers: each tetrahedron has one, or none has, and so with the facets.
+inline void facets_and_markers_read(const Format& format, std::string_view bytes,
+                                    const std::string& path = "", std::size_t beside = 0) {
+    mgdt::cli::ReadOptions options;
+    options.has_facets = true;
+    read(format, bytes, path, options, beside);
+    options = {};
+    options.has_markers = true;
+    const std::optional<Mesh> mesh = read(format, bytes, path, options, beside);
+    if (!mesh) return;
+    FUZZ_REQUIRE(mesh->regions.empty() || mesh->regions.size() == mesh->tetrahedron_count(),
+                 "markers of tetrahedra");
+    const mgdt::cli::FileFacets& facets = mesh->facets;
+    FUZZ_REQUIRE(facets.markers.size() + 1 == facets.begin.size(), "markers of facets");
+}
+
 inline void expect_same_points(const std::vector<double>& a, const std::vector<double>& b) {
     FUZZ_REQUIRE(a.size() == b.size(), "points of a round trip");
     FUZZ_REQUIRE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0,

@@ -39,6 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     unlink(neighbors.c_str());
     if (parts == 3) fuzz::put(neighbors, part[2]);
     const auto mesh = fuzz::read(format, part[1], elements, {}, size);
+    fuzz::facets_and_markers_read(format, part[1], elements, size);
     if (!mesh || mesh->neighbors.size() != mesh->tetrahedra.size()) return 0;
     for (int base = 0; base < 2; ++base) {
         write_three(elements, *mesh, base);

@@ -11,9 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fuzz::mesh_returns(mgdt::cli::vtu_format(), *mesh, {0, true});
     }
     fuzz::fields_return(mgdt::cli::vtu_format(), bytes);
-    mgdt::cli::ReadOptions with_facets;
-    with_facets.has_facets = true;
-    fuzz::read(mgdt::cli::vtu_format(), bytes, "", with_facets);
-    fuzz::read(mgdt::cli::vtp_format(), bytes, "", with_facets);
+    fuzz::facets_and_markers_read(mgdt::cli::vtu_format(), bytes);
+    fuzz::facets_and_markers_read(mgdt::cli::vtp_format(), bytes);
     return 0;
 }

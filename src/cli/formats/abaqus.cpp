@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "cli/errors.hpp"
+#include "cli/formats/element_sets.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/node_numbers.hpp"
@@ -99,12 +100,16 @@ class Reader {
     }
 
   public:
-    Reader(const Source& source, bool has_facets)
-        : source_(source), lines_(source), has_facets_(has_facets) {}
+    Reader(const Source& source, const ReadOptions& options)
+        : source_(source),
+          lines_(source),
+          has_facets_(options.has_facets || options.has_markers),
+          has_markers_(options.has_markers),
+          generated_left_(static_cast<std::int64_t>(source.bytes.size())) {}
 
     Mesh read() {
         mesh_.detail = "text";
-        enum { nothing, nodes, tetrahedra, facets, others } section = nothing;
+        enum { nothing, nodes, tetrahedra, facets, others, members } section = nothing;
         bool goes_on = false;  // whether the numbers of an ignored element continue
         while (next_line()) {
             if (text_[0] == '*') {
@@ -124,22 +129,32 @@ class Reader {
                     section = nodes_ > 0 ? tetrahedra : others;
                     mesh_.has_tetrahedra |= nodes_ > 0;
                     facet_ = has_facets_ ? facet_type(type) : FacetType();
+                    set_name_ = keyword.value_of("ELSET");
                     if (facet_.nodes > 0) {
                         section = facets;
-                        set_ = number_of_set(keyword.value_of("ELSET"));
+                        set_ = number_of_set(set_name_);
                     }
                 }
+                if (has_markers_ && keyword.is("*ELSET")) {
+                    section = members;
+                    set_name_ = keyword.value_of("ELSET");
+                    is_generated_ = keyword.has("GENERATE");
+                }
+                if (has_markers_ && keyword.is("*SOLIDSECTION"))
+                    element_sets_.add_section(keyword.value_of("ELSET"));
                 continue;
             }
             if (section == nodes) read_node();
             if (section == tetrahedra) read_tetrahedron();
             if (section == facets) read_facet();
+            if (section == members) read_members();
             if (section == others) {
                 mesh_.other_cells += goes_on ? 0 : 1;
                 goes_on = ends_with_comma();
             }
         }
         if (!has_nodes_) source_.fail("has no *NODE");
+        mesh_.regions = element_sets_.markers();
         return std::move(mesh_);
     }
 
@@ -216,7 +231,8 @@ class Reader {
     void read_tetrahedron() {
         may_go_on_ = true;
         split_line();
-        integer("the element's number");
+        const std::int64_t number = integer("the element's number");
+        if (has_markers_) element_sets_.add_tetrahedron(number, set_name_, fail());
         for (int k = 0; k < nodes_; ++k) {
             const std::int64_t tag = integer("node");
             mesh_.add_node(static_cast<std::size_t>(k), numbers_.find(tag, fail()));
@@ -234,6 +250,28 @@ class Reader {
         }
         mesh_.facets.end_facet(set_);
     }
+    // Elements of a set; those from the first to the second number in steps of the third, if the
+    // set is generated. Names of other sets are passed over.
+    void read_members() {
+        may_go_on_ = false;
+        split_line();
+        if (is_generated_) {
+            const std::int64_t first = integer("the first element"),
+                               last = integer("the last element"),
+                               step = at_ < words_.size() ? integer("the step") : 1;
+            // A list without GENERATE would take a byte for each element at least.
+            if (last < first || (last - first) / step >= generated_left_)
+                lines_.fail(fmt::format("{} to {}: too many elements", first, last));
+            generated_left_ -= (last - first) / step + 1;
+            for (std::int64_t number = first; number <= last; number += step)
+                element_sets_.add_member(set_name_, number);
+            return;
+        }
+        for (const std::string_view word : words_) {
+            std::int64_t number = 0;
+            if (parse_integer(word, number)) element_sets_.add_member(set_name_, number);
+        }
+    }
     // Sets are numbered from 1 in the order of their appearance; 0 stands for no set.
     std::int32_t number_of_set(const std::string& name) {
         if (name.empty()) return 0;
@@ -249,21 +287,24 @@ class Reader {
 
     const Source& source_;
     LineReader lines_;
-    const bool has_facets_;
+    const bool has_facets_, has_markers_;
+    std::int64_t generated_left_;  // how many elements may still be generated
     Mesh mesh_;
     FacetType facet_;
     std::vector<std::string> sets_;
     std::int32_t set_ = 0;  // the set of the facets in this section
+    std::string set_name_;
+    ElementSets element_sets_;
     NodeNumbers numbers_;
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
     std::string_view text_;  // the rest of the line
     int nodes_ = 0;          // of each tetrahedron in this section
-    bool has_nodes_ = false, may_go_on_ = false;
+    bool has_nodes_ = false, may_go_on_ = false, is_generated_ = false;
 };
 
 Mesh read_abaqus(const Source& source, const ReadOptions& options) {
-    return Reader(source, options.has_facets).read();
+    return Reader(source, options).read();
 }
 
 constexpr RowStyle numbered_from_one = {1, ", ", ", ", "\n"};

@@ -15,6 +15,9 @@ namespace mgdt::cli {
 
 class NodeNumbers {
   public:
+    // `what` has the numbers, for messages.
+    explicit NodeNumbers(const char* what = "node") : what_(what) {}
+
     // Adds the number of the next node. Calls fail(message), which throws, if the number was added
     // before.
     template <class Fail>
@@ -24,7 +27,7 @@ class NodeNumbers {
             ++dense_;
             return;
         }
-        if (node_of(number) >= 0) fail(fmt::format("node {} comes twice", number));
+        if (find_if(number) >= 0) fail(fmt::format("{} {} comes twice", what_, number));
         if (rising_.empty() || rising_.back().first < number)
             rising_.emplace_back(number, node);
         else
@@ -33,14 +36,12 @@ class NodeNumbers {
     // The node with a number. Calls fail(message) if there is none.
     template <class Fail>
     std::int64_t find(std::int64_t number, const Fail& fail) const {
-        const std::int64_t node = node_of(number);
-        if (node < 0) fail(fmt::format("there is no node {}", number));
+        const std::int64_t node = find_if(number);
+        if (node < 0) fail(fmt::format("there is no {} {}", what_, number));
         return node;
     }
-
-  private:
     // The node with a number, or -1.
-    std::int64_t node_of(std::int64_t number) const {
+    std::int64_t find_if(std::int64_t number) const {
         if (number > 0 && number <= dense_) return number - 1;
         const auto found =
             std::lower_bound(rising_.begin(), rising_.end(), std::make_pair(number, INT64_MIN));
@@ -49,6 +50,8 @@ class NodeNumbers {
         return late == late_.end() ? -1 : late->second;
     }
 
+  private:
+    const char* what_;
     std::int64_t count_ = 0, dense_ = 0;  // the first numbers are 1 to dense_
     // Numbers that are greater than all before them.
     std::vector<std::pair<std::int64_t, std::int64_t>> rising_;

@@ -5,6 +5,10 @@
 // File Formats"; what version 5 changed, VTK's vtkDataReader. Written as version 3.0, text.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
@@ -91,13 +95,28 @@ class Input {
     std::vector<std::int64_t> integers(std::uint64_t n, std::string_view type, const char* what) {
         return array<std::int64_t>(
             n, type, what,
-            [&](auto item, ByteReader& bytes) {
-                return static_cast<std::int64_t>(bytes.value<decltype(item)>(what));
+            [&](auto item, ByteReader& bytes) -> std::int64_t {
+                if constexpr (std::is_integral_v<decltype(item)>)
+                    return static_cast<std::int64_t>(bytes.value<decltype(item)>(what));
+                bytes.fail(fmt::format("{} of a floating-point type", what));
             },
             [&](Words& words) { return words.integer(what, 0, most); });
     }
-    // Skips an array of bytes.
+    std::vector<double> values(std::uint64_t n, std::string_view type) {
+        return array<double>(
+            n, type, "values",
+            [&](auto item, ByteReader& bytes) {
+                return static_cast<double>(bytes.value<decltype(item)>("value"));
+            },
+            [](Words& words) { return words.number("value"); });
+    }
     void skip(std::uint64_t n, std::string_view type) {
+        if (!is_binary_) {
+            std::string_view word;
+            for (std::uint64_t i = 0; i < n; ++i)
+                if (!words_.next(word)) words_.fail("the file is cut short");
+            return;
+        }
         ByteReader bytes(source_, words_.lines().offset(), true);
         with_type(type, [&](auto item) { bytes.skip(n, sizeof item, "items of an array"); });
         go_on_at(bytes.offset());
@@ -148,6 +167,8 @@ struct Cells {
     std::vector<std::int64_t> nodes;
     std::vector<std::size_t> begin;  // the first node of each cell, and the end of the last
     std::size_t count() const { return begin.empty() ? 0 : begin.size() - 1; }
+    const std::int64_t* begin_of(std::size_t i) const { return nodes.data() + begin[i]; }
+    std::size_t size_of(std::size_t i) const { return begin[i + 1] - begin[i]; }
 };
 
 // Reads cells of versions up to 4: `count` cells in a list of `size` integers, which has the number
@@ -206,18 +227,18 @@ Cells read_cells(Input& input) {
                                : read_list_of_cells(input, count, size);
 }
 
-void take_cells(const Cells& cells, Input& input, bool has_facets, Mesh& mesh) {
+// Reads the types of the cells.
+std::vector<std::int64_t> read_types(const Cells& cells, Input& input, const Mesh& mesh) {
     Words& words = input.words();
     const std::int64_t n = words.integer("the number of cell types", 0, Input::most);
     if (static_cast<std::uint64_t>(n) != cells.count())
         words.fail(fmt::format("{} types of {} cells", n, cells.count()));
-    const std::vector<std::int64_t> types =
+    std::vector<std::int64_t> types =
         input.integers(static_cast<std::uint64_t>(n), "Int32", "the cell's type");
-    mesh.has_tetrahedra = true;
     const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
     for (std::size_t i = 0; i < types.size(); ++i) {
-        const std::int64_t* nodes = cells.nodes.data() + cells.begin[i];
-        const std::size_t count = cells.begin[i + 1] - cells.begin[i];
+        const std::int64_t* const nodes = cells.begin_of(i);
+        const std::size_t count = cells.size_of(i);
         if (!may_have_nodes(types[i], count))
             words.fail(fmt::format("a cell of type {} with {} points", types[i], count));
         for (std::size_t k = 0; k < count; ++k) {
@@ -225,11 +246,20 @@ void take_cells(const Cells& cells, Input& input, bool has_facets, Mesh& mesh) {
                 words.fail(fmt::format("cell {}: point is {}; it must be from 0 to {}", i, nodes[k],
                                        last));
         }
+    }
+    return types;
+}
+
+void add_cells(const Cells& cells, const std::vector<std::int64_t>& types, bool has_facets,
+               const VtkCellMarkers& markers, Mesh& mesh) {
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        const std::int64_t* const nodes = cells.begin_of(i);
         if (is_vtk_tetrahedron(types[i]))
-            add_vtk_tetrahedron(nodes, count, mesh);
+            add_vtk_tetrahedron(nodes, cells.size_of(i), markers, i, mesh);
         else
             ++mesh.other_cells;
-        if (has_facets) add_vtk_facet(types[i], nodes, count, mesh.facets);
+        if (has_facets)
+            add_vtk_facet(types[i], nodes, cells.size_of(i), mesh.facets, markers.facet(i));
     }
 }
 
@@ -238,31 +268,131 @@ void take_surface_cells(Input& input, std::int64_t type, bool has_facets, Mesh& 
     const Cells cells = read_cells(input);
     mesh.other_cells += cells.count();
     for (std::size_t i = 0; has_facets && i < cells.count(); ++i)
-        add_vtk_facet(type, cells.nodes.data() + cells.begin[i],
-                      cells.begin[i + 1] - cells.begin[i], mesh.facets);
+        add_vtk_facet(type, cells.begin_of(i), cells.size_of(i), mesh.facets);
 }
 
-// Skips the arrays of FIELD. Each has its name, components, tuples and type before its bytes.
-void skip_fields(Input& input) {
-    Words& words = input.words();
+// The arrays of cell data that have markers, and where they go.
+class MarkerArrays {
+  public:
+    explicit MarkerArrays(VtkCellMarkers& markers) : markers_(markers) {}
+
+    // Whether an array has markers and no earlier name has been found.
+    bool wants(std::string_view name) const { return rank_of(name) < best_[list_of(name)]; }
+    void take(std::string_view name, const std::vector<double>& values, Words& words) {
+        const bool is_facet = list_of(name) == 1;
+        best_[list_of(name)] = rank_of(name);
+        (is_facet ? markers_.facets
+                  : markers_.regions) = vtk_markers_of(values, [&](std::size_t cell, double value) {
+            words.fail(fmt::format("{} of cell {}: {} is no 32-bit integer", name, cell, value));
+        });
+    }
+
+  private:
+    static constexpr std::size_t none = 99;
+    static std::size_t list_of(std::string_view name) { return name == "facet" ? 1 : 0; }
+    static std::size_t rank_of(std::string_view name) {
+        if (name == "facet") return 0;
+        for (std::size_t i = 0; i < std::size(vtk_region_arrays); ++i)
+            if (name == vtk_region_arrays[i]) return i;
+        return none;
+    }
+
+    VtkCellMarkers& markers_;
+    std::size_t best_[2] = {none, none};
+};
+
+// Reads or skips an array of `tuples` times `components` numbers.
+void read_data(Input& input, std::string_view name, std::int64_t components, std::int64_t tuples,
+               std::string_view type_name, MarkerArrays* markers) {
+    const std::string_view type = type_of(type_name);
+    if (input.is_binary() && type.empty())
+        input.words().fail(
+            fmt::format("a field of type {} in a binary file; take it out", quote(type_name)));
+    const auto count = static_cast<std::uint64_t>(components * tuples);
+    if (markers != nullptr && components == 1 && markers->wants(name))
+        markers->take(name, input.values(count, type), input.words());
+    else
+        input.skip(count, type);
+}
+
+std::string next_word(Words& words, const char* what) {
     std::string_view word;
-    words.next(word);  // the name
+    if (!words.next(word)) words.fail(fmt::format("{} is to follow", what));
+    return std::string(word);
+}
+
+// Reads the arrays of FIELD. Each has its name, components, tuples and type before its numbers.
+void read_fields(Input& input, MarkerArrays* markers) {
+    Words& words = input.words();
+    next_word(words, "a name");
     const std::int64_t arrays = words.integer("the number of arrays", 0, Input::most);
     for (std::int64_t i = 0; i < arrays; ++i) {
-        if (!words.next(word)) words.fail("the file ends where an array is to follow");
-        if (same(word, "METADATA")) {
+        std::string name = next_word(words, "an array");
+        if (same(name, "METADATA")) {
             words.skip_to_blank_line();
-            words.next(word);
+            name = next_word(words, "an array");
         }
         const auto components = words.integer("the number of components", 0, 1 << 20);
         const auto tuples = words.integer("the number of tuples", 0, std::int64_t{1} << 40);
-        if (!words.next(word)) words.fail("the type is to follow");
-        const std::string_view type = type_of(word);
-        if (type.empty())
-            words.fail(
-                fmt::format("a field of type {} in a binary file; take it out", quote(word)));
-        input.skip(static_cast<std::uint64_t>(components * tuples), type);
+        const std::string type = next_word(words, "the type");
+        read_data(input, name, components, tuples, type, markers);
     }
+}
+
+// Reads SCALARS after the keyword. The number of components may be left out.
+void read_scalars(Input& input, std::int64_t tuples, MarkerArrays* markers) {
+    Words& words = input.words();
+    const std::string name = next_word(words, "a name"), type = next_word(words, "the type");
+    std::int64_t components = 1;
+    std::string word = next_word(words, "LOOKUP_TABLE");
+    if (!same(word, "LOOKUP_TABLE")) {
+        if (!parse_integer(word, components) || components < 1 || components > 4)
+            words.fail(fmt::format("{} components; there are 1 to 4", quote(word)));
+        word = next_word(words, "LOOKUP_TABLE");
+    }
+    if (!same(word, "LOOKUP_TABLE")) words.fail("LOOKUP_TABLE is to follow");
+    next_word(words, "the name of a table");
+    read_data(input, name, components, tuples, type, markers);
+}
+
+// Reads the markers from the data of cells, and skips all other data. `word` is POINT_DATA or
+// CELL_DATA.
+VtkCellMarkers read_markers(Input& input, std::string_view word, std::size_t cells) {
+    // Data of 1, 3, 6 or 9 numbers that have a name and a type.
+    static constexpr struct {
+        std::string_view keyword;
+        std::int64_t components;
+    } others[] = {{"VECTORS", 3},  {"NORMALS", 3},    {"TENSORS", 9},
+                  {"TENSORS6", 6}, {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}};
+    VtkCellMarkers found;
+    MarkerArrays arrays(found);
+    MarkerArrays* of_cells = nullptr;
+    std::int64_t tuples = 0;
+    Words& words = input.words();
+    do {
+        if (same(word, "POINT_DATA") || same(word, "CELL_DATA")) {
+            of_cells = same(word, "CELL_DATA") ? &arrays : nullptr;
+            tuples = words.integer("the number of values", 0, std::int64_t{1} << 40);
+            if (of_cells != nullptr && static_cast<std::uint64_t>(tuples) != cells)
+                words.fail(fmt::format("data of {} cells; there are {}", tuples, cells));
+        } else if (same(word, "SCALARS")) {
+            read_scalars(input, tuples, of_cells);
+        } else if (same(word, "FIELD")) {
+            read_fields(input, of_cells);
+        } else if (same(word, "METADATA")) {
+            words.skip_to_blank_line();
+        } else if (const auto* const other =
+                       std::find_if(std::begin(others), std::end(others),
+                                    [&](const auto& o) { return same(word, o.keyword); });
+                   other != std::end(others)) {
+            const std::string name = next_word(words, "a name"),
+                              type = next_word(words, "the type");
+            read_data(input, name, other->components, tuples, type, nullptr);
+        } else if (input.is_binary()) {
+            words.fail(fmt::format("{} in a binary file; take it out", quote(word)));
+        }
+    } while (words.next(word));
+    return found;
 }
 
 Mesh read_vtk(const Source& source, const ReadOptions& options) {
@@ -270,16 +400,20 @@ Mesh read_vtk(const Source& source, const ReadOptions& options) {
     Mesh mesh;
     mesh.detail = input.detail();
     Cells cells;
+    std::vector<std::int64_t> types;
+    const bool has_facets = options.has_facets || options.has_markers;
     bool has_points = false, has_cells = false, has_types = false, is_grid = false;
     std::string_view word;
     Words& words = input.words();
-    while (words.next(word) && !same(word, "POINT_DATA") && !same(word, "CELL_DATA")) {
+    bool has_data = false;
+    while (!has_data && words.next(word)) {
+        has_data = same(word, "POINT_DATA") || same(word, "CELL_DATA");
         if (same(word, "DATASET")) {
             is_grid = words.next(word) && same(word, "UNSTRUCTURED_GRID");
         } else if (same(word, "METADATA")) {
             words.skip_to_blank_line();
         } else if (same(word, "FIELD") && input.is_binary()) {
-            skip_fields(input);
+            read_fields(input, nullptr);
         } else if (same(word, "POINTS")) {
             if (has_points) words.fail("POINTS come twice");
             has_points = true;
@@ -297,16 +431,21 @@ Mesh read_vtk(const Source& source, const ReadOptions& options) {
             const std::int64_t type = same(word, "LINES")      ? poly_line
                                       : same(word, "POLYGONS") ? polygon
                                                                : strip;
-            take_surface_cells(input, type, options.has_facets, mesh);
+            take_surface_cells(input, type, has_facets, mesh);
         } else if (same(word, "CELL_TYPES")) {
             if (has_types) words.fail("CELL_TYPES come twice");
             has_types = true;
-            take_cells(cells, input, options.has_facets, mesh);
+            mesh.has_tetrahedra = true;
+            types = read_types(cells, input, mesh);
         }
     }
+    VtkCellMarkers markers;
+    if (options.has_markers && has_types && has_data)
+        markers = read_markers(input, word, types.size());
     if (!has_points) source.fail("has no POINTS");
     if ((is_grid || has_cells) && !has_types)
         source.fail("has no CELL_TYPES; the file is cut short");
+    add_cells(cells, types, has_facets, markers, mesh);
     return mesh;
 }
 

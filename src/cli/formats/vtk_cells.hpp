@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "cli/formats/file_mesh.hpp"
 
@@ -27,10 +28,25 @@ inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
     return !is_vtk_tetrahedron(type) || nodes >= 4;
 }
 
+// The arrays of cell data that have markers. mgdt and OpenGeoSys have names of their own, the
+// others are meshio's. Where there is no array for facets, that of the regions has the markers of
+// both.
+constexpr const char* vtk_region_arrays[] = {"region", "gmsh:physical", "medit:ref", "MaterialIDs"};
+constexpr const char* vtk_facet_arrays[] = {"facet"};
+
+// Markers for all cells of a file; the lists are empty if there are none.
+struct VtkCellMarkers {
+    std::vector<std::int32_t> regions, facets;
+
+    std::int32_t facet(std::size_t cell) const {
+        return !facets.empty() ? facets[cell] : !regions.empty() ? regions[cell] : 0;
+    }
+};
+
 // Adds a cell as facets or segments, if it is one-dimensional or flat. Of higher-order cells, the
 // corners are taken, which come first.
 inline void add_vtk_facet(std::int64_t type, const std::int64_t* nodes, std::size_t count,
-                          FileFacets& facets) {
+                          FileFacets& facets, std::int32_t marker = 0) {
     constexpr std::int64_t line = 3, poly_line = 4, triangle = 5, strip = 6, polygon = 7, pixel = 8,
                            quad = 9, quadratic_edge = 21, quadratic_triangle = 22,
                            quadratic_quad = 23;
@@ -45,24 +61,24 @@ inline void add_vtk_facet(std::int64_t type, const std::int64_t* nodes, std::siz
         case triangle:
         case polygon:
         case quad:
-            facets.add_facet(nodes, count);
+            facets.add_facet(nodes, count, marker);
             break;
         case quadratic_triangle:
-            if (count >= 3) facets.add_facet(nodes, 3);
+            if (count >= 3) facets.add_facet(nodes, 3, marker);
             break;
         case quadratic_quad:
-            if (count >= 4) facets.add_facet(nodes, 4);
+            if (count >= 4) facets.add_facet(nodes, 4, marker);
             break;
         case pixel:
             if (count == 4) {
                 const std::int64_t around[4] = {nodes[0], nodes[1], nodes[3], nodes[2]};
-                facets.add_facet(around, 4);
+                facets.add_facet(around, 4, marker);
             }
             break;
         case strip:
             for (std::size_t k = 0; k + 2 < count; ++k) {
                 const std::int64_t turn[3] = {nodes[k], nodes[k + 1 + k % 2], nodes[k + 2 - k % 2]};
-                facets.add_facet(turn, 3);
+                facets.add_facet(turn, 3, marker);
             }
             break;
         default:
@@ -70,9 +86,24 @@ inline void add_vtk_facet(std::int64_t type, const std::int64_t* nodes, std::siz
     }
 }
 
-// Adds the nodes of a tetrahedron, which are points of the mesh. Corners come first.
-inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count, Mesh& mesh) {
+// Adds a tetrahedron. Its nodes are points of the mesh; corners come first.
+inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count,
+                                const VtkCellMarkers& markers, std::size_t cell, Mesh& mesh) {
     for (std::size_t k = 0; k < count; ++k) mesh.add_node(k, nodes[k]);
+    if (!markers.regions.empty()) mesh.regions.push_back(markers.regions[cell]);
+}
+
+// The markers that values are. fail(cell, value) is called for a value that is no marker.
+template <class Fail>
+std::vector<std::int32_t> vtk_markers_of(const std::vector<double>& values, const Fail& fail) {
+    std::vector<std::int32_t> markers;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = values[i];
+        if (!(value >= -0x1p31 && value < 0x1p31) || value != static_cast<std::int32_t>(value))
+            fail(i, value);
+        markers.push_back(static_cast<std::int32_t>(value));
+    }
+    return markers;
 }
 
 }  // namespace mgdt::cli

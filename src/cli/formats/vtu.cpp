@@ -110,7 +110,7 @@ struct Layout {
     std::string compressor;
     std::map<std::string, Tag>
         arrays;  // "points", "connectivity", "offsets", "types"; "Polys offsets"
-    std::vector<Tag> fields;
+    std::vector<Tag> fields, cell_data;
     std::size_t appended = none;  // the position after '_'
 };
 
@@ -160,10 +160,12 @@ Layout parse_layout(const Source& source) {
             count("NumberOfStrips", layout.strips);
             count("NumberOfPolys", layout.polygons);
         } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData" ||
-                   tag.name == "Lines" || tag.name == "Strips" || tag.name == "Polys") {
+                   tag.name == "CellData" || tag.name == "Lines" || tag.name == "Strips" ||
+                   tag.name == "Polys") {
             section = tag.name;
         } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/PointData" ||
-                   tag.name == "/Lines" || tag.name == "/Strips" || tag.name == "/Polys") {
+                   tag.name == "/CellData" || tag.name == "/Lines" || tag.name == "/Strips" ||
+                   tag.name == "/Polys") {
             section = "";
         } else if (tag.name == "DataArray" && section == "Points") {
             layout.arrays.emplace("points", tag);
@@ -174,6 +176,8 @@ Layout parse_layout(const Source& source) {
             layout.arrays.emplace(fmt::format("{} {}", section, attribute(tag, "Name", "")), tag);
         } else if (tag.name == "DataArray" && section == "PointData") {
             layout.fields.push_back(tag);
+        } else if (tag.name == "DataArray" && section == "CellData") {
+            layout.cell_data.push_back(tag);
         } else if (tag.name == "AppendedData") {
             layout.encoding.in_base64 = attribute(tag, "encoding", "") != "raw";
             layout.appended = source.bytes.find('_', tag.end);
@@ -403,9 +407,27 @@ void read_surface_cells(const Source& source, const Layout& layout, const std::s
     }
 }
 
+// Reads the first of some arrays of cell data that there is; empty if there is none.
+template <std::size_t n>
+std::vector<std::int32_t> read_markers(const Source& source, const Layout& layout,
+                                       const char* const (&names)[n]) {
+    for (const char* const name : names)
+        for (const Tag& tag : layout.cell_data) {
+            if (from_xml(attribute(tag, "Name", "")) != name ||
+                attribute(tag, "NumberOfComponents", "1") != "1")
+                continue;
+            const auto values = read_array<Values>(source, layout, tag, name, layout.cells);
+            return vtk_markers_of(values, [&](std::size_t cell, double value) {
+                source.fail_at_byte(tag.begin, fmt::format("{} of cell {}: {} is no 32-bit integer",
+                                                           name, cell, value));
+            });
+        }
+    return {};
+}
+
 // Reads the tetrahedra and counts other cells, or reads them as facets.
 void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes, bool has_facets,
-                Mesh& mesh) {
+                const VtkCellMarkers& markers, Mesh& mesh) {
     const auto types = read_array<Indices>(source, layout, "types", layout.cells);
     const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
     const std::int64_t length = offsets.empty() ? 0 : offsets.back();
@@ -420,7 +442,9 @@ void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes,
         const auto nodes = static_cast<std::size_t>(end - begin);
         if (!is_vtk_tetrahedron(types[i])) {
             ++mesh.other_cells;
-            if (has_facets) add_vtk_facet(types[i], vertices.data() + begin, nodes, mesh.facets);
+            if (has_facets)
+                add_vtk_facet(types[i], vertices.data() + begin, nodes, mesh.facets,
+                              markers.facet(i));
         } else if (!may_have_nodes(types[i], nodes)) {
             source.fail(fmt::format("cell {}: a tetrahedron of type {} with {} vertices", i,
                                     types[i], nodes));
@@ -431,7 +455,7 @@ void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes,
                 source.fail(fmt::format("cell {}: vertex {}, but there are {} points", i, *v,
                                         layout.points));
             }
-            add_vtk_tetrahedron(first, nodes, mesh);
+            add_vtk_tetrahedron(first, nodes, markers, i, mesh);
         }
         begin = end;
     }
@@ -462,7 +486,12 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
         }
         return mesh;
     }
-    read_cells(source, layout, bytes, options.has_facets, mesh);
+    VtkCellMarkers markers;
+    if (options.has_markers) {
+        markers.regions = read_markers(source, layout, vtk_region_arrays);
+        markers.facets = read_markers(source, layout, vtk_facet_arrays);
+    }
+    read_cells(source, layout, bytes, options.has_facets || options.has_markers, markers, mesh);
     return mesh;
 }
 
