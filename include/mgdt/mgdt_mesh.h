@@ -66,7 +66,8 @@ enum {
      *  shapes: from 0 to 1000, at first 0. Three passes do most of what can be done. Since 1.4. */
     MGDT_MESH_OPTION_MEAN_PASSES = 43,
     /** The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000,
-     *  at first 100. Few of them suffice for most meshes. Since 1.4. */
+     *  at first 100. Few of them suffice for most meshes. Exchanges of edges and faces, which come
+     *  first, and one pass of moves are not counted. Since 1.4. */
     MGDT_MESH_OPTION_MOST_PASSES = 44
 };
 
@@ -87,7 +88,7 @@ enum {
  *  @since 1.4 */
 enum {
     MGDT_POINTS_KEEP = 0,  /**< They stay where they are. */
-    MGDT_POINTS_MOVE = 1,  /**< They may move. */
+    MGDT_POINTS_MOVE = 1,  /**< They may move. Points that are equal stay equal. */
     MGDT_POINTS_REMOVE = 2 /**< They may move, and may become points of no tetrahedron. */
 };
 

@@ -40,10 +40,11 @@ struct CornerRange {
     std::int32_t base;
 
     // The point with an index of the caller's, a corner of `what` number i.
-    std::uint32_t at(std::int64_t index, const char* what, std::size_t i) const {
+    std::uint32_t at(std::int64_t index, const char* what, std::size_t i,
+                     const char* verb = "has the corner") const {
         if (index < base || static_cast<std::uint64_t>(index - base) >= points)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "%s %lld has the corner %lld; there are %zu points",
-                 what, static_cast<long long>(i) + base, static_cast<long long>(index), points);
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%s %lld %s %lld; there are %zu points", what,
+                 static_cast<long long>(i) + base, verb, static_cast<long long>(index), points);
         return static_cast<std::uint32_t>(index - base);
     }
 };
@@ -55,7 +56,8 @@ Buffer<std::uint32_t> copy_of_corners(Allocator& allocator, std::size_t n, std::
                                       const char* what) {
     Buffer<std::uint32_t> copy(allocator);
     copy.resize(each * n);
-    for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = range.at(corners[i], what, i / each);
+    for (std::size_t i = 0; i < copy.size(); ++i)
+        copy[i] = range.at(corners[i], what, i / each, each == 1 ? "is" : "has the corner");
     return copy;
 }
 

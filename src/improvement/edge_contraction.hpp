@@ -12,7 +12,7 @@ class EdgeContraction {
     explicit EdgeContraction(const FlexibleMesh& mesh) : mesh_(mesh), star_(mesh.allocator()) {}
 
     // Contracts the edge between corners i and j of tetrahedron t to corner j. Returns whether the
-    // tetrahedra at the vertex that leaves were all worse than the worst one that comes.
+    // tetrahedra that come are all better than the worst one at the vertex that leaves.
     bool find(std::uint32_t t, unsigned i, unsigned j, Change& change);
 
   private:

@@ -29,9 +29,7 @@ bool is_angle_below(const FlexibleMesh& mesh, const std::uint32_t (&v)[4], unsig
     const Vector<double> one = cross(edge, difference<double>(mesh.point(v[i]), p)),
                          other = cross(edge, difference<double>(mesh.point(v[j]), p)),
                          both = cross(one, other);
-    const double product = dot(one, one) * dot(other, other);
-    const bool is_obtuse = dot(one, other) < 0;
-    return dot(both, both) * (is_obtuse ? obtuse_weight * obtuse_weight : 1.0) < goal * product;
+    return dot(one, other) > 0 && dot(both, both) < goal * (dot(one, one) * dot(other, other));
 }
 
 }  // namespace

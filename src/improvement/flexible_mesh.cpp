@@ -105,7 +105,12 @@ bool FlexibleMesh::apply(Change& change) {
     if (!pair_faces(change)) return false;
     add_vertex(change);
     for (const std::uint32_t t : change.removed)
-        for (const std::uint32_t v : tetrahedra[t].v) note_change(v);
+        for (const std::uint32_t v : tetrahedra[t].v) {
+            note_change(v);
+            --star_sizes[v];
+        }
+    for (const Change::Tetrahedron& t : change.added)
+        for (const std::uint32_t v : t.v) ++star_sizes[v];
     if (const std::uint32_t lost = change.more.lost_vertex; lost != no_index) {
         hints[lost] = no_tetrahedron;
         is_lost[lost] = 1;
@@ -157,6 +162,7 @@ void FlexibleMesh::add_vertex(Change& change) {
     hints.push_back(no_tetrahedron);
     classes.push_back(free_vertex);
     is_lost.push_back(0);
+    star_sizes.push_back(0);
     last_change.push_back(round);
 }
 

@@ -29,6 +29,9 @@ class FlexibleMesh : public LinkedTetrahedra {
     double quality_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                       std::uint32_t d) const noexcept;
 
+    // Whether a point that moves can be written: subnormal coordinates would be rounded too much.
+    bool can_move() const noexcept { return scale_ > -900; }
+
     // Applies a change. Returns false, and changes nothing, if the new tetrahedra do not have the
     // same outer faces as those that they replace. Faces of facets may differ, also where the mesh
     // ends: the change names those that come, and says how many are lost.
@@ -54,6 +57,7 @@ class FlexibleMesh : public LinkedTetrahedra {
     Buffer<double> x;  // coordinates times a power of two, so that the largest one is about 1
     Buffer<VertexClass> classes;        // of vertices: all fixed until classify_vertices()
     Buffer<std::uint8_t> is_lost;       // whether a vertex has left the mesh
+    Buffer<std::uint32_t> star_sizes;   // the number of tetrahedra at each vertex
     Buffer<std::uint32_t> last_change;  // the round in which tetrahedra at a vertex changed, or 0
     KeptEdges edges;
 

@@ -119,8 +119,10 @@ std::size_t Improver::smooth(StageProgress& progress) {
 }
 
 std::size_t Improver::smooth_mean(StageProgress& progress) {
-    return count_changes(
-        progress, [&] { return smoothing_.pass_for_mean(candidates_, settings_.goal, progress); });
+    // Without a goal, nothing may become worse.
+    const double goal = settings_.goal > 0 ? settings_.goal : above_all;
+    return count_changes(progress,
+                         [&] { return smoothing_.pass_for_mean(candidates_, goal, progress); });
 }
 
 double Improver::choose(double quality) {
@@ -203,7 +205,8 @@ void Improver::reach_goal(StageProgress& progress) {
         const double before = missing;
         ++passes_;
         is_tail_ = stage > 0;
-        pushes_ = stage == 1;
+        // What such moves push below the goal is for later passes.
+        pushes_ = stage == 1 && i + 1 < settings_.most_passes;
         missing = pass(goal, stage >= 2, progress);
         pushes_ = false;
         if (missing < (1 - least_gain) * before) {

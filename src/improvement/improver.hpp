@@ -16,7 +16,7 @@ struct ImprovementSettings {
     double raised_goal = 0;  // the goal near tetrahedra for which nothing else helps
     bool slides = false;     // whether edges inside of plane facets may change
     int most_passes = 100;
-    int mean_passes = 5;
+    int mean_passes = 0;
 };
 
 class Improver {

@@ -21,6 +21,7 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocat
       x(allocator),
       classes(allocator),
       is_lost(allocator),
+      star_sizes(allocator),
       last_change(allocator),
       edges(allocator),
       labels(allocator),
@@ -30,10 +31,14 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocat
       links_(allocator),
       slots_(allocator),
       leaves_(allocator) {
-    scale_ = exponent_above(from.points.begin(), from.points.size());
-    x.resize(from.points.size());
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
+    // Points that no tetrahedron uses have no say in the scale.
+    x.resize(from.points.size(), 0);
+    for (const std::uint32_t v : from.tetrahedra)
+        std::copy_n(from.points.begin() + 3 * std::size_t{v}, 3, x.begin() + 3 * std::size_t{v});
+    scale_ = exponent_above(x.begin(), x.size());
+    for (double& c : x) c = std::ldexp(c, -scale_);
     is_lost.resize(x.size() / 3, 0);
+    star_sizes.resize(x.size() / 3, 0);
     last_change.resize(x.size() / 3, 0);
     classes.resize(x.size() / 3, {Freedom::fixed, false, {0, 0, 0}});
     const auto count = static_cast<std::uint32_t>(from.tetrahedron_count());
@@ -45,7 +50,10 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocat
         for (std::size_t t = begin; t < end; ++t) read_tetrahedron(from, t);
     });
     for (std::uint32_t t = 0; t < count; ++t)
-        for (const std::uint32_t v : tetrahedra[t].v) hints[v] = t;
+        for (const std::uint32_t v : tetrahedra[t].v) {
+            hints[v] = t;
+            ++star_sizes[v];
+        }
     read_faces(from);
     for (std::size_t e = 0; e < from.edge_segments.size(); ++e)
         edges.add(from.edges[2 * e], from.edges[2 * e + 1],
@@ -217,11 +225,16 @@ void FlexibleMesh::write_points(const SolidMesh& before, SolidMesh& made) const 
     for (std::uint32_t v = 0; v < hints.size(); ++v) {
         if (v >= given && is_lost[v] != 0) continue;
         number[v] = count++;
-        // Points that have not moved keep their coordinates to the last bit.
+        // Points that have not moved keep their coordinates to the last bit, and so do those of no
+        // tetrahedron. Of equal points, the first one is in the mesh, and the others follow it.
         const bool is_old = 3 * std::size_t{v} < before.points.size();
-        for (std::size_t k = 3 * std::size_t{v}; k < 3 * std::size_t{v} + 3; ++k) {
-            const bool moves = !is_old || x[k] != std::ldexp(before.points[k], -scale_);
-            made.points.push_back(moves ? std::ldexp(x[k], scale_) : before.points[k]);
+        const std::uint32_t corner = v < given ? before.point_origins[v] : v;
+        const bool is_used = hints[corner] != no_tetrahedron || is_lost[corner] != 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double now = x[3 * std::size_t{corner} + k],
+                         was = is_old ? before.points[3 * std::size_t{v} + k] : 0;
+            const bool moves = !is_old || (is_used && now != std::ldexp(was, -scale_));
+            made.points.push_back(moves ? std::ldexp(now, scale_) : was);
             if (moves) has_moved[v] = 1;
         }
         made.point_origins.push_back(v < given ? before.point_origins[v] : no_index);

@@ -29,7 +29,7 @@ class MeshImprovement {
         StageProgress quiet = progress.quiet();
         const ShapeSummary before = summarize_shapes(mesh_, team_, allocator_, quiet);
         try {
-            improver_.run(progress);
+            if (flexible_.can_move()) improver_.run(progress);
         } catch (const Error& error) {
             if (error.status == MGDT_ERR_CANCELLED) finish(before);
             throw;
@@ -55,7 +55,8 @@ class MeshImprovement {
     void allow(const Buffer<std::uint32_t>& fixed) {
         Buffer<Permission> permissions(allocator_);
         permissions.resize(given_points(), static_cast<Permission>(options_.points));
-        for (const std::uint32_t p : fixed) permissions[p] = Permission::none;
+        // Of equal points, the first one is in the mesh.
+        for (const std::uint32_t p : fixed) permissions[mesh_.point_origins[p]] = Permission::none;
         permissions.resize(mesh_.points.size() / 3, Permission::to_leave);
         classify_vertices(flexible_, permissions, options_.slides);
     }

@@ -39,7 +39,8 @@ struct ImprovementReport {
 };
 
 // Improves a mesh. `fixed` are points that stay where they are. If the call is cancelled, the mesh
-// and the report are those of the last complete round; if memory runs out, both stay as they were.
+// and the report are those of the last complete round, or if that has a surface that meets itself,
+// both stay as they were. They do so if memory runs out, too.
 void improve_mesh(SolidMesh& mesh, const ImprovementOptions& options,
                   const Buffer<std::uint32_t>& fixed, Team& team, Allocator& allocator,
                   StageProgress& progress, ImprovementReport& report);

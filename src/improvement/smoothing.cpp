@@ -33,7 +33,7 @@ void Smoothing::collect_stars(StageProgress& progress) {
                     Mover& mover = movers_[member];
                     for (std::size_t k = begin; k < end; ++k) {
                         progress.step(k, begin, end, member);
-                        stars_[k] = {mover.tetrahedra.size(), member, 0, false};
+                        stars_[k] = {mover.tetrahedra.size(), member, 0, false, {0, 0, 0}};
                         if (!mover.star.collect(mesh_, candidates_[k])) continue;
                         for (const std::uint32_t t : mover.star.tetrahedra)
                             mover.tetrahedra.push_back(t);
@@ -77,6 +77,19 @@ std::size_t Smoothing::move_all(const Buffer<std::uint32_t>& tetrahedra, StagePr
     collect_stars(progress);
     color();
     ++mesh_.round;
+    std::size_t moved = 0;
+    try {
+        moved = move_colors(progress, search);
+    } catch (...) {
+        undo_moves();
+        throw;
+    }
+    return moved;
+}
+
+// Moves the vertices, one colour after the other. Returns how many have moved.
+template <class Search>
+std::size_t Smoothing::move_colors(StageProgress& progress, const Search& search) {
     std::size_t moved = 0;
     constexpr std::size_t vertices_per_thread = 32;
     for (unsigned c = 0; c < most_colors && begin_of_color_[c] < order_.size(); ++c) {
@@ -126,9 +139,22 @@ void Smoothing::move(std::uint32_t candidate, Mover& mover, const Search& search
     mover.search.evaluate(place);
     if (!search(mover.search, v, place)) return;
     stars_[candidate].has_moved = true;
-    std::copy_n(place, 3, mesh_.x.begin() + 3 * std::size_t{v});
-    for (std::uint32_t i = 0; i < size; ++i)
+    std::copy_n(mesh_.point(v), 3, stars_[candidate].place);
+    put(candidate, place);
+}
+
+// Puts a vertex at a place.
+void Smoothing::put(std::uint32_t candidate, const double (&place)[3]) {
+    std::copy_n(place, 3, mesh_.x.begin() + 3 * std::size_t{candidates_[candidate]});
+    const std::uint32_t* const star = tetrahedra_of(stars_[candidate]);
+    for (std::uint32_t i = 0; i < stars_[candidate].size; ++i)
         mesh_.qualities[star[i]] = mesh_.quality(mesh_.tetrahedra[star[i]].v);
+}
+
+// Takes a pass back that has been interrupted, so that the mesh is that of the last complete one.
+void Smoothing::undo_moves() {
+    for (std::uint32_t k = 0; k < stars_.size(); ++k)
+        if (stars_[k].has_moved) put(k, stars_[k].place);
 }
 
 std::size_t Smoothing::pass(const Buffer<std::uint32_t>& tetrahedra, const Moves& moves,

@@ -48,6 +48,7 @@ class Smoothing {
         std::size_t begin;
         std::uint32_t member, size;
         bool has_moved;
+        double place[3];  // where the vertex was before
     };
 
     void choose_candidates(const Buffer<std::uint32_t>& tetrahedra);
@@ -58,6 +59,10 @@ class Smoothing {
                          const Search& search);
     template <class Search>
     void move(std::uint32_t candidate, Mover& mover, const Search& search);
+    void put(std::uint32_t candidate, const double (&place)[3]);
+    void undo_moves();
+    template <class Search>
+    std::size_t move_colors(StageProgress& progress, const Search& search);
     std::size_t note_moves(std::size_t begin, std::size_t end);
     const std::uint32_t* tetrahedra_of(const Star& star) const noexcept {
         return movers_[star.member].tetrahedra.begin() + star.begin;

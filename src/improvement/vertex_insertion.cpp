@@ -23,9 +23,7 @@ void VertexInsertion::add(std::uint32_t t) {
         if (mesh_.of(face.code).n[face.code % 4] / 4 != t) faces_[kept++] = face;
     faces_.resize_within_capacity(kept);
     for (unsigned i = 0; i < 4; ++i) {
-        if (one.n[i] != no_index &&
-            std::find(cavity_.begin(), cavity_.end(), one.n[i] / 4) != cavity_.end())
-            continue;
+        if (one.n[i] != no_index && has(one.n[i] / 4)) continue;
         // (q, f0, f1, f2) is positive for q beyond the face, so (inside, f0, f2, f1) is.
         const unsigned char* const f = outer_face[i];
         Face face = {{one.v[f[0]], one.v[f[2]], one.v[f[1]]}, 4 * t + i, 0};
@@ -43,6 +41,10 @@ bool VertexInsertion::grow() {
     const FlexibleMesh::Tetrahedron& t = mesh_.of(worst->code);
     const std::uint32_t behind = t.n[worst->code % 4];
     if (behind == no_index || t.facets[worst->code % 4] != no_index) return false;
+    // A cavity around the rim of a facet would lose a face of it.
+    const FlexibleMesh::Tetrahedron& next = mesh_.of(behind);
+    for (unsigned i = 0; i < 4; ++i)
+        if (next.facets[i] != no_index && next.n[i] != no_index && has(next.n[i] / 4)) return false;
     add(behind / 4);
     return true;
 }

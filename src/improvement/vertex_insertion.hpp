@@ -2,6 +2,8 @@
 // Inserts a vertex: a bad tetrahedron and some around it are replaced by those of a new vertex.
 #pragma once
 
+#include <algorithm>
+
 #include "improvement/flexible_mesh.hpp"
 #include "improvement/place_search.hpp"
 
@@ -29,6 +31,10 @@ class VertexInsertion {
         double quality;      // of the new tetrahedron
     };
 
+    // Whether the cavity has a tetrahedron.
+    bool has(std::uint32_t t) const noexcept {
+        return std::find(cavity_.begin(), cavity_.end(), t) != cavity_.end();
+    }
     void begin(std::uint32_t t);
     void add(std::uint32_t t);
     bool grow();

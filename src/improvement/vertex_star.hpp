@@ -11,7 +11,8 @@ class VertexStar {
     explicit VertexStar(Allocator& allocator) : tetrahedra(allocator) {}
 
     // Collects the tetrahedra at a vertex, in an order that depends on the mesh alone. Returns
-    // false if there are more than most_tetrahedra.
+    // false if there are more than most_tetrahedra, or if they are not connected by faces at the
+    // vertex, as where two solids touch.
     bool collect(const FlexibleMesh& mesh, std::uint32_t v) {
         constexpr std::size_t most_tetrahedra = slots / 2;
         tetrahedra.clear();
@@ -25,7 +26,7 @@ class VertexStar {
                 if (tetrahedra.size() > most_tetrahedra) return false;
             }
         }
-        return true;
+        return tetrahedra.size() == mesh.star_sizes[v];
     }
 
     Buffer<std::uint32_t> tetrahedra;

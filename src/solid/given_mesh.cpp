@@ -263,8 +263,7 @@ class Linking {
         constexpr double angle = 0x1p-20;
         if (out_.face_markers[f] != out_.face_markers[g]) return false;
         double n[2][3];
-        normal(f, n[0]);
-        normal(g, n[1]);
+        if (!find_normal(f, n[0]) || !find_normal(g, n[1])) return false;
         double same = 0, opposite = 0;
         for (int k = 0; k < 3; ++k) {
             same += (n[0][k] - n[1][k]) * (n[0][k] - n[1][k]);
@@ -279,8 +278,8 @@ class Linking {
                region(f, 0) == region(g, turns ? 1 : 0) && region(f, 1) == region(g, turns ? 0 : 1);
     }
 
-    // The unit normal of a face, or 0.
-    void normal(std::uint32_t f, double (&n)[3]) const {
+    // Finds the unit normal of a face. Returns false if it is lost in rounding.
+    bool find_normal(std::uint32_t f, double (&n)[3]) const {
         const std::uint32_t* const v = out_.faces.begin() + 3 * std::size_t{f};
         const double *const a = point(v[0]), *const b = point(v[1]), *const c = point(v[2]);
         // Differences are divided by their largest magnitude, so that squares do not overflow.
@@ -296,7 +295,8 @@ class Linking {
             n[k] = u[l] / size * (w[m] / size) - u[m] / size * (w[l] / size);
             square += n[k] * n[k];
         }
-        for (double& c_ : n) c_ = square > 0 ? c_ / std::sqrt(square) : 0;
+        for (double& c_ : n) c_ /= std::sqrt(square);
+        return square > 0;
     }
 
     // Adds the caller's edges to those of facets: the caller's come first. Refuses an edge that is
@@ -311,7 +311,7 @@ class Linking {
         for (std::uint32_t e = 0; e < given_.edges.size() / 2; ++e) {
             const std::uint32_t* const ends = given_.edges.begin() + 2 * std::size_t{e};
             const std::uint32_t i = edges.add(ends[0], ends[1]);
-            if (i >= origin.size()) origin.resize(i + std::size_t{1}, no_index);
+            if (i == origin.size()) origin.push_back(no_index);
             if (origin[i] != no_index)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "edges %lld and %lld have the same ends",
                      number(origin[i]), number(e));

@@ -260,7 +260,9 @@ static void one_tetrahedron(void) {
 
 /* The same lattice far from the origin, very large and very small. */
 static void far_and_scaled(void) {
-    static const double shift[5] = {1e9, -1e9, 0, 0, 0}, scale[5] = {1, 1, 1e-150, 1e150, 1e305};
+    /* Of subnormal coordinates the last one is too coarse for any move: that mesh stays. */
+    static const double shift[6] = {1e9, -1e9, 0, 0, 0, 0},
+                        scale[6] = {1, 1, 1e-150, 1e150, 1e305, 1e-315};
     static double xyz[3 * n_points];
     size_t k;
     int i;
@@ -277,8 +279,8 @@ static void far_and_scaled(void) {
         set(m, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_REMOVE);
         CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
         CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
-        CHECK(least_angle(m) > before);
-        CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_BELOW_GOAL), 0);
+        CHECK(scale[k] < 1e-300 ? least_angle(m) == before : least_angle(m) > before);
+        CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_BELOW_GOAL) > 0, scale[k] < 1e-300);
         CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_REGIONS), 2);
         mgdt_mesh_destroy(m);
     }
@@ -363,6 +365,152 @@ static void dangling_items(void) {
     }
 }
 
+static mgdt_mesh* mesh_of(int64_t points, const double* xyz, int64_t tetrahedra,
+                          const int64_t* corners) {
+    mgdt_mesh* m = NULL;
+    CHECK_EQUAL(mgdt_mesh_create(&m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_set_points(m, points, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, tetrahedra, corners, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_build(m), MGDT_OK);
+    return m;
+}
+
+/* Two columns of cubes that have nothing in common but one edge of each cube. The points of these
+ * edges have tetrahedra in both columns, and stay. */
+static void touching_solids(void) {
+    static const double heights[4] = {0, .05, .1, 1};
+    static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    double xyz[28 * 3];
+    int64_t corners[36 * 4], points, boundary;
+    int i, j, k, l, step, t = 0;
+    /* Seven points in each layer; the corner that both squares have is the first one. */
+    static const double flat[7][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}, {-1, -1}};
+    static const int squares[2][4] = {{0, 1, 2, 3}, {6, 5, 4, 0}};
+    for (i = 0; i < 28; ++i) {
+        xyz[3 * i] = flat[i % 7][0];
+        xyz[3 * i + 1] = flat[i % 7][1];
+        xyz[3 * i + 2] = heights[i / 7];
+    }
+    for (k = 0; k < 3; ++k)
+        for (l = 0; l < 2; ++l)
+            for (j = 0; j < 6; ++j, ++t) {
+                int at[3] = {0, 0, 0};
+                for (step = 0; step < 4; ++step) {
+                    corners[4 * t + step] = 7 * (k + at[2]) + squares[l][at[0] + 2 * at[1]];
+                    if (step < 3) at[orders[j][step]] = 1;
+                }
+            }
+    for (boundary = 0; boundary < 2; ++boundary)
+        for (points = 0; points < 3; ++points) {
+            mgdt_mesh* const m = mesh_of(28, xyz, 36, corners);
+            double *volumes, sum = 0;
+            int64_t n;
+            CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+            set(m, MGDT_MESH_OPTION_BOUNDARY, boundary);
+            set(m, MGDT_MESH_OPTION_POINTS, points);
+            set(m, MGDT_MESH_OPTION_GOAL, 30);
+            CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+            CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+            n = stat_of(m, MGDT_MESH_STAT_TETRAHEDRA);
+            volumes = malloc((size_t)n * sizeof *volumes);
+            CHECK_EQUAL(mgdt_mesh_get_tetrahedron_measures(m, MGDT_TETRAHEDRON_VOLUME, n, volumes),
+                        MGDT_OK);
+            while (n > 0) sum += volumes[--n];
+            CHECK(fabs(sum - 2) < 1e-12);
+            free(volumes);
+            mgdt_mesh_destroy(m);
+        }
+}
+
+/* A point of no tetrahedron has no influence, however far away it is. */
+static void far_point(void) {
+    static double xyz[3 * (n_points + 1)];
+    mgdt_mesh* const near = mesh_of(n_points, lattice_points, n_tetrahedra, lattice);
+    mgdt_mesh* far;
+    double *a, *b;
+    memcpy(xyz, lattice_points, sizeof lattice_points);
+    xyz[3 * n_points] = xyz[3 * n_points + 1] = xyz[3 * n_points + 2] = -1e300;
+    far = mesh_of(n_points + 1, xyz, n_tetrahedra, lattice);
+    set(near, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
+    set(far, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
+    set(near, MGDT_MESH_OPTION_GOAL, 35);
+    set(far, MGDT_MESH_OPTION_GOAL, 35);
+    CHECK_EQUAL(mgdt_mesh_improve(near), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_improve(far), MGDT_OK);
+    CHECK(stat_of(near, MGDT_MESH_STAT_MOVED_POINTS) > 0);
+    CHECK_EQUAL(stat_of(near, MGDT_MESH_STAT_MOVED_POINTS),
+                stat_of(far, MGDT_MESH_STAT_MOVED_POINTS));
+    a = doubles_of(near, MGDT_MESH_ARRAY_POINTS);
+    b = doubles_of(far, MGDT_MESH_ARRAY_POINTS);
+    CHECK(memcmp(a, b, sizeof lattice_points) == 0);
+    CHECK(b[3 * n_points] == -1e300);
+    free(a);
+    free(b);
+    mgdt_mesh_destroy(near);
+    mgdt_mesh_destroy(far);
+}
+
+/* Points that are equal stay equal; if one of them is fixed, so are all. */
+static void equal_points(void) {
+    static const double box[10 * 3] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0,  1,  0,   0,  0,  1,
+                                       1, 0, 1, 1, 1, 1, 0, 1, 1, .4, .5, .02, .4, .5, .02};
+    static const int64_t sides[12 * 3] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                          2, 3, 7, 2, 7, 6, 0, 4, 7, 0, 7, 3, 1, 2, 6, 1, 6, 5};
+    static const int64_t last[1] = {9};
+    int fixes;
+    for (fixes = 0; fixes < 2; ++fixes) {
+        mgdt_domain* d = NULL;
+        mgdt_mesh* m = NULL;
+        double* xyz;
+        int64_t offsets[13], i;
+        for (i = 0; i < 13; ++i) offsets[i] = 3 * i;
+        CHECK_EQUAL(mgdt_domain_create(&d), MGDT_OK);
+        CHECK_EQUAL(mgdt_domain_set_points(d, 10, box), MGDT_OK);
+        CHECK_EQUAL(mgdt_domain_set_facets(d, 12, offsets, sides, NULL), MGDT_OK);
+        CHECK_EQUAL(mgdt_domain_build(d, &m), MGDT_OK);
+        set(m, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
+        if (fixes) CHECK_EQUAL(mgdt_mesh_set_fixed_points(m, 1, last), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+        xyz = doubles_of(m, MGDT_MESH_ARRAY_POINTS);
+        CHECK(memcmp(xyz + 24, xyz + 27, 3 * sizeof *xyz) == 0);
+        CHECK_EQUAL(memcmp(xyz + 24, box + 24, 3 * sizeof *xyz) == 0, fixes);
+        free(xyz);
+        mgdt_mesh_destroy(m);
+        mgdt_domain_destroy(d);
+    }
+}
+
+/* With the goal 0, moves serve the mean, and the worst tetrahedron becomes no worse. */
+static void mean_alone(void) {
+    mgdt_mesh* const m = lattice_mesh();
+    const double before = least_angle(m);
+    double* shapes;
+    set(m, MGDT_MESH_OPTION_GOAL, 0);
+    set(m, MGDT_MESH_OPTION_MEAN_PASSES, 30);
+    set(m, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
+    set(m, MGDT_MESH_OPTION_BOUNDARY, MGDT_BOUNDARY_SLIDE);
+    CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+    CHECK(least_angle(m) >= before);
+    shapes = doubles_of(m, MGDT_MESH_ARRAY_SHAPES);
+    CHECK(shapes[5] > shapes[4]);
+    free(shapes);
+    mgdt_mesh_destroy(m);
+}
+
+/* A flat roof of three faces is no small angle of the input, although the angle below it is. */
+static void flat_roof(void) {
+    static const double xyz[15] = {0, 0, 0, 1, 0, 0, .5, .87, 0, .5, .29, .05, 30, .29, -.5};
+    static const int64_t corners[8] = {0, 1, 2, 3, 0, 2, 1, 4};
+    mgdt_mesh* const m = mesh_of(5, xyz, 2, corners);
+    int64_t* reasons;
+    CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
+    reasons = array_of(m, MGDT_MESH_ARRAY_REASONS);
+    CHECK(reasons[0] != MGDT_REASON_NONE && reasons[0] != MGDT_REASON_INPUT_ANGLE);
+    free(reasons);
+    mgdt_mesh_destroy(m);
+}
+
 /* An improvement that needs more memory than allowed changes nothing. */
 static void memory_limit(void) {
     mgdt_mesh* const m = lattice_mesh();
@@ -397,5 +545,10 @@ void test_improvement(void) {
     one_tetrahedron();
     far_and_scaled();
     dangling_items();
+    touching_solids();
+    far_point();
+    equal_points();
+    mean_alone();
+    flat_roof();
     memory_limit();
 }

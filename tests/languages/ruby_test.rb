@@ -275,7 +275,7 @@ class MgdtTest < Minitest::Test
     mesh = Mgdt::Mesh.new(points, [[1, 2, 3, 4]], index_base: 1)
     refused(Mgdt::InvalidArgument, "71") { mesh.improve(goal: 71) }
     refused(Mgdt::InvalidArgument, "there is no boundary :open; there are fixed, slide") { mesh.improve(boundary: :open) }
-    refused(Mgdt::InvalidArgument, "fixed point 1 has the corner 0") { mesh.improve(fixed: [0]) }
+    refused(Mgdt::InvalidArgument, "fixed point 1 is 0") { mesh.improve(fixed: [0]) }
     refused(Mgdt::InvalidArgument, "Array of points") { mesh.improve(fixed: 3) }
     mesh.check
   end

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "../support/counting_allocator.h"
 #include "../support/small.h"
 #include "flexible_meshes.hpp"
 #include "improvable_meshes.hpp"
@@ -197,6 +198,47 @@ TEST(Improvement, OperationsKeepTheMeshSound) {
         EXPECT_EQ(before.volumes, after.volumes);
         EXPECT_EQ(before.areas, after.areas);
     }
+}
+
+// A pass of moves that ends early, here because memory is refused, is taken back.
+TEST(Improvement, KeepsNoMovesOfAnInterruptedPass) {
+    MeshedDomain domain;
+    give(domain, gridded_box(5, 5, 5, 0.49, 15));
+    domain.build();
+    int refused = 0;
+    // The first pass is not interrupted, and counts the allocations.
+    std::int64_t calls = 0;
+    for (std::int64_t at = 0; at <= calls; ++at) {
+        counting_allocator source = {};
+        bool is_refused = false;
+        {
+            Allocator memory(counted_allocate, counted_release, &source);
+            FlexibleMesh mesh(domain.mesh(), one_thread(), memory);
+            classify(mesh, false);
+            const std::vector<double> places(mesh.x.begin(), mesh.x.end()),
+                qualities(mesh.qualities.begin(), mesh.qualities.end());
+            Smoothing smoothing(mesh, one_thread());
+            Buffer<std::uint32_t> all(memory);
+            for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) all.push_back(t);
+            const std::int64_t before = source.calls;
+            source.act_at = at == 0 ? 0 : before + at;
+            source.act = [](void* on) { static_cast<Allocator*>(on)->set_limit(1); };
+            source.on = &memory;
+            try {
+                smoothing.pass(all, {4, best_quality, best_quality, false}, {1, 1}, Unwatched());
+            } catch (const std::bad_alloc&) {
+                is_refused = true;
+                ++refused;
+            }
+            calls = std::max(calls, source.calls - before);
+            EXPECT_EQ(is_refused,
+                      std::equal(places.begin(), places.end(), mesh.x.begin(), mesh.x.end()));
+            EXPECT_EQ(is_refused, std::equal(qualities.begin(), qualities.end(),
+                                             mesh.qualities.begin(), mesh.qualities.end()));
+        }
+        EXPECT_EQ(source.blocks, 0);
+    }
+    EXPECT_GT(refused, 20);
 }
 
 // Where memory runs out, nothing is lost but the improvement.
