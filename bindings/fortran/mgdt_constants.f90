@@ -313,7 +313,8 @@ module mgdt_constants
     ! shapes: from 0 to 1000, at first 0. Three passes do most of what can be done. Since 1.4.
     integer, parameter :: mgdt_mesh_option_mean_passes = 43
     ! The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000, at
-    ! first 100. Few of them suffice for most meshes. Since 1.4.
+    ! first 100. Few of them suffice for most meshes. Exchanges of edges and faces, which come
+    ! first, and one pass of moves are not counted. Since 1.4.
     integer, parameter :: mgdt_mesh_option_most_passes = 44
 
     ! Values of MGUBND.
@@ -328,7 +329,7 @@ module mgdt_constants
     ! Values of MGUPNT.
     ! They stay where they are.
     integer, parameter :: mgdt_points_keep = 0
-    ! They may move.
+    ! They may move. Points that are equal stay equal.
     integer, parameter :: mgdt_points_move = 1
     ! They may move, and may become points of no tetrahedron.
     integer, parameter :: mgdt_points_remove = 2

@@ -161,7 +161,7 @@ class Mesh(unittest.TestCase):
                 mgdt.Mesh(**{"points": CUBE, "simplices": [[0, 1, 2, 4]], **arguments})  # type: ignore
         mesh = mgdt.Mesh(CUBE, [[0, 1, 2, 4]])
         for arguments, words in (
-            (dict(goal=71), "71"), (dict(keep="some"), "'some'"), (dict(fixed=[8]), "corner 8"),
+            (dict(goal=71), "71"), (dict(keep="some"), "'some'"), (dict(fixed=[8]), "fixed point 0 is 8"),
             (dict(mean_passes=-1), "-1"), (dict(most_passes=10**6), "1000000"),
         ):
             with self.subTest(arguments), self.assertRaisesRegex(ValueError, words):
