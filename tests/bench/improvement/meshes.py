@@ -2,9 +2,11 @@
 """The meshes that the benchmark of improvements starts from, all as their generators leave them without an optimiser.
 
 Gmsh makes most of them: of the repository's geometries, of simple solids, and of the demonstrations in the Debian
-package gmsh-doc. Others are Delaunay triangulations of points.
+package gmsh-doc. Others are Delaunay triangulations of points. CGAL, which optimises only what it has meshed, makes a
+few itself, and their optimised meshes come along.
 """
 import contextlib
+import functools
 import glob
 import gzip
 import os
@@ -18,6 +20,8 @@ import numpy as np
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 DEMOS = "/usr/share/doc/gmsh-doc/doc/gmsh/demos"
 GMSH = ["gmsh", "-3", "-nt", "1", "-v", "1", "-format", "msh22", "-setnumber", "Mesh.Optimize", "0"]
+
+CGAL_HEADER = "/usr/include/CGAL/perturb_mesh_3.h"
 
 SOLIDS = {
     "cube": "Box(1) = {0, 0, 0, 1, 1, 1};",
@@ -100,6 +104,37 @@ def random_points_in_cube(n):
     return delaunay(np.concatenate([surface, rng.uniform(0.02, 0.98, (n, 3))]))
 
 
+@functools.lru_cache(maxsize=None)
+def cgal_program():
+    """The program that meshes with CGAL, and its folder, which lives as long as this process."""
+    folder = tempfile.TemporaryDirectory(prefix="mgdt-cgal-")
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "cgal_mesh.cpp")
+    program = os.path.join(folder.name, "cgal_mesh")
+    subprocess.run(["g++", "-O2", "-DNDEBUG", "-std=c++17", "-frounding-math", source, "-o", program, "-lmpfr", "-lgmp"],
+                   check=True)
+    return folder, program
+
+
+def cgal_mesh(shape, volume, tetrahedra):
+    """A mesh of CGAL's with about so many tetrahedra, and what its optimisers make of it."""
+    _, program = cgal_program()
+    # Of a tetrahedron with circumradius 1, the volume is half of that of the regular one, on average.
+    size = (volume / tetrahedra / 0.25) ** (1 / 3)
+    with tempfile.TemporaryDirectory(prefix="mgdt-meshes-") as scratch:
+        files = [os.path.join(scratch, name) for name in ("before", "after")]
+        run = subprocess.run([program, shape, str(size), *files], capture_output=True, text=True, check=True, timeout=1000)
+        (points, corners), (better_points, better_corners) = map(read_counted, files)
+    return points, corners, None, {"cgal_points": better_points, "cgal_tetrahedra": better_corners,
+                                   "cgal_seconds": float(run.stdout)}
+
+
+def read_counted(path):
+    with open(path) as file:
+        points, _ = map(int, file.readline().split())
+        rows = file.readlines()
+    return np.loadtxt(rows[:points]), np.loadtxt(rows[points:], dtype=np.int64)
+
+
 def all_meshes(tetrahedra):
     """Names, and functions that make the meshes."""
     meshes = {}
@@ -110,6 +145,9 @@ def all_meshes(tetrahedra):
     side = int((tetrahedra / 6) ** (1 / 3)) + 1
     meshes["moved lattice"] = lambda: moved_lattice(side)
     meshes["random points"] = lambda: random_points_in_cube(tetrahedra // 10)
+    if shutil.which("g++") and os.path.exists(CGAL_HEADER):
+        for shape, volume in (("ball", 0.90), ("torus", 0.99), ("balls", 0.49)):
+            meshes["CGAL " + shape] = lambda shape=shape, volume=volume: cgal_mesh(shape, volume, tetrahedra)
     for name in DEMONSTRATIONS:
         found = sorted(glob.glob(os.path.join(DEMOS, name + ".geo*")))
         if found:

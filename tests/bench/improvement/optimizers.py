@@ -131,7 +131,13 @@ def write_tetgen(path, columns, head):
             file.write("%d %s\n" % (i, " ".join(map(repr, row))))
 
 
-PEERS = {"gmsh": improve_with_gmsh, "netgen": improve_with_netgen, "tetgen": improve_with_tetgen}
+def improve_with_cgal(mesh):
+    """What CGAL has made of a mesh of its own when it made that."""
+    return float(mesh["cgal_seconds"]), mesh["cgal_points"], mesh["cgal_tetrahedra"]
+
+
+PEERS = {"gmsh": improve_with_gmsh, "netgen": improve_with_netgen, "tetgen": improve_with_tetgen,
+         "cgal": improve_with_cgal}
 # The peers remove points too.
 MGDT = {
     "mgdt": {},

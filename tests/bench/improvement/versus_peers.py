@@ -5,7 +5,7 @@
 usage: versus_peers.py [--meshes WORD,...] [--optimizers NAME,...] [--tetrahedra N] [--seconds N] [--runs N] [--keep FOLDER]
 
   --meshes WORD,...      only meshes with one of these words in their names
-  --optimizers NAME,...  of gmsh, netgen, tetgen, mgdt (with its default options), mgdt-20, mgdt-25-slide, mgdt-30
+  --optimizers NAME,...  of gmsh, netgen, tetgen, cgal, mgdt (with its default options), mgdt-20, mgdt-25-slide, mgdt-30
                          and mgdt-30-slide; with a number, points may be removed, as the peers do. By default all
   --tetrahedra N         about how many the simple solids have; 40000 by default
   --seconds N            after which an optimiser is stopped; 300 by default
@@ -14,8 +14,9 @@ usage: versus_peers.py [--meshes WORD,...] [--optimizers NAME,...] [--tetrahedra
 
 Needs the bindings for Python (PYTHONPATH, and MGDT_LIBRARY where the library is not installed), the Debian packages
 gmsh, python3-meshio and python3-numpy, and for more meshes gmsh-doc. Peers that are not there are left out; Netgen is
-in python3-netgen. All use one thread. An angle is the least dihedral angle of the mesh; times are microseconds of
-processor time for each tetrahedron of the input, of the optimisation alone. The exit status is 1 if mgdt fails.
+in python3-netgen, and CGAL, which optimises only the meshes that it makes itself, in libcgal-dev. All use one thread.
+An angle is the least dihedral angle of the mesh; times are microseconds of processor time for each tetrahedron of the
+input, of the optimisation alone. The exit status is 1 if mgdt fails.
 """
 import argparse
 import os
@@ -33,7 +34,8 @@ import meshes  # noqa: E402
 from optimizers import MGDT  # noqa: E402
 
 # How to find out whether a peer is there; None for a program of that name.
-PEERS = {"gmsh": "import ctypes; ctypes.CDLL('libgmsh.so.4.8')", "netgen": "import netgen.meshing", "tetgen": None}
+PEERS = {"gmsh": "import ctypes; ctypes.CDLL('libgmsh.so.4.8')", "netgen": "import netgen.meshing", "tetgen": None,
+         "cgal": "import os; os.stat('/usr/include/CGAL/perturb_mesh_3.h')"}
 
 
 def shapes(points, tetrahedra):
@@ -58,6 +60,8 @@ def shapes(points, tetrahedra):
 
 def improved(name, before, arguments, scratch):
     """The result of one optimiser: shapes, microseconds, tetrahedra; or a word for what has gone wrong."""
+    if name == "cgal" and "cgal_points" not in np.load(before):
+        return "-"
     after = os.path.join(scratch, "after.npz")
     best = None
     for _ in range(arguments.runs):
@@ -87,9 +91,9 @@ def mesh_files(arguments, folder):
             if made is None:
                 print(f"{name}: no mesh", file=sys.stderr)
                 continue
-            points, tetrahedra, regions = made
+            points, tetrahedra, regions, *more = made
             regions = np.zeros(len(tetrahedra), np.int32) if regions is None else regions
-            np.savez(path, points=points, tetrahedra=tetrahedra, regions=regions)
+            np.savez(path, points=points, tetrahedra=tetrahedra, regions=regions, **(more[0] if more else {}))
         yield name, path
 
 
