@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "improvement/flexible_mesh.hpp"
-#include "mesh/scale.hpp"
+#include "solid/corner_exponent.hpp"
 
 namespace mgdt {
 namespace {
@@ -31,12 +31,10 @@ FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocat
       links_(allocator),
       slots_(allocator),
       leaves_(allocator) {
-    // Points that no tetrahedron uses have no say in the scale.
-    x.resize(from.points.size(), 0);
-    for (const std::uint32_t v : from.tetrahedra)
-        std::copy_n(from.points.begin() + 3 * std::size_t{v}, 3, x.begin() + 3 * std::size_t{v});
-    scale_ = exponent_above(x.begin(), x.size());
-    for (double& c : x) c = std::ldexp(c, -scale_);
+    // What the others become does not matter.
+    scale_ = corner_exponent(from);
+    x.resize(from.points.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
     is_lost.resize(x.size() / 3, 0);
     star_sizes.resize(x.size() / 3, 0);
     last_change.resize(x.size() / 3, 0);
@@ -226,7 +224,8 @@ void FlexibleMesh::write_points(const SolidMesh& before, SolidMesh& made) const 
         if (v >= given && is_lost[v] != 0) continue;
         number[v] = count++;
         // Points that have not moved keep their coordinates to the last bit, and so do those of no
-        // tetrahedron. Of equal points, the first one is in the mesh, and the others follow it.
+        // tetrahedron. Tetrahedra have the first of several equal points as a corner; the others
+        // get its coordinates.
         const bool is_old = 3 * std::size_t{v} < before.points.size();
         const std::uint32_t corner = v < given ? before.point_origins[v] : v;
         const bool is_used = hints[corner] != no_tetrahedron || is_lost[corner] != 0;

@@ -8,6 +8,7 @@
 #include "mesh/scale.hpp"
 #include "mesh/tetrahedron.hpp"
 #include "predicates/foot_weights.hpp"
+#include "solid/corner_exponent.hpp"
 
 namespace mgdt {
 namespace {
@@ -39,7 +40,7 @@ Buffer<BoundingBox> boxes_of(Allocator& allocator, const SolidMesh& mesh, int sc
 
 BoundaryPlaces::BoundaryPlaces(Allocator& allocator, const SolidMesh& mesh, const StopRequest& stop)
     : mesh_(mesh),
-      scale_(exponent_above(mesh.points.begin(), mesh.points.size())),
+      scale_(corner_exponent(mesh)),
       faces_(boundary_faces(allocator, mesh)),
       boxes_(boxes_of(allocator, mesh, scale_, faces_)),
       tree_(allocator, boxes_, stop) {}

@@ -49,13 +49,18 @@ static inline void make_lattice(void) {
     }
 }
 
-static inline mgdt_mesh* lattice_mesh(void) {
+static inline mgdt_mesh* mesh_of(int64_t points, const double* xyz, int64_t tetrahedra,
+                                 const int64_t* corners, const int32_t* markers) {
     mgdt_mesh* m = NULL;
     CHECK_EQUAL(mgdt_mesh_create(&m), MGDT_OK);
-    CHECK_EQUAL(mgdt_mesh_set_points(m, n_points, lattice_points), MGDT_OK);
-    CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, n_tetrahedra, lattice, lattice_markers), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_set_points(m, points, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, tetrahedra, corners, markers), MGDT_OK);
     CHECK_EQUAL(mgdt_mesh_build(m), MGDT_OK);
     return m;
+}
+
+static inline mgdt_mesh* lattice_mesh(void) {
+    return mesh_of(n_points, lattice_points, n_tetrahedra, lattice, lattice_markers);
 }
 
 static inline int64_t stat_of(const mgdt_mesh* m, int32_t key) {

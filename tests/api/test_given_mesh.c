@@ -269,11 +269,7 @@ static void shape_summary(void) {
                                            0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
         static const int64_t corners[24] = {0, 1, 3, 7, 0, 1, 5, 7, 0, 2, 3, 7,
                                             0, 2, 6, 7, 0, 4, 5, 7, 0, 4, 6, 7};
-        mgdt_mesh* c = NULL;
-        CHECK_EQUAL(mgdt_mesh_create(&c), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_set_points(c, 8, cube), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_set_tetrahedra(c, 6, corners, NULL), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_build(c), MGDT_OK);
+        mgdt_mesh* const c = mesh_of(8, cube, 6, corners, NULL);
         CHECK_EQUAL(mgdt_mesh_get_shape_summary(c, found, angles, below), MGDT_OK);
         CHECK(fabs(found[0] - 45) < 1e-12 && fabs(found[1] - 90) < 1e-12);
         CHECK(angles[4] == 12 && angles[6] == 6 && angles[9] == 18);

@@ -236,13 +236,9 @@ static void one_tetrahedron(void) {
     int64_t boundary, points;
     for (boundary = 0; boundary < 2; ++boundary)
         for (points = 0; points < 3; ++points) {
-            mgdt_mesh* m = NULL;
-            double *xyz, before;
-            CHECK_EQUAL(mgdt_mesh_create(&m), MGDT_OK);
-            CHECK_EQUAL(mgdt_mesh_set_points(m, 4, sliver), MGDT_OK);
-            CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, 1, corners, NULL), MGDT_OK);
-            CHECK_EQUAL(mgdt_mesh_build(m), MGDT_OK);
-            before = least_angle(m);
+            mgdt_mesh* const m = mesh_of(4, sliver, 1, corners, NULL);
+            const double before = least_angle(m);
+            double* xyz;
             set(m, MGDT_MESH_OPTION_BOUNDARY, boundary);
             set(m, MGDT_MESH_OPTION_POINTS, points);
             set(m, MGDT_MESH_OPTION_MEAN_PASSES, 2);
@@ -267,13 +263,10 @@ static void far_and_scaled(void) {
     size_t k;
     int i;
     for (k = 0; k < sizeof shift / sizeof *shift; ++k) {
-        mgdt_mesh* m = NULL;
+        mgdt_mesh* m;
         double before;
         for (i = 0; i < 3 * n_points; ++i) xyz[i] = scale[k] * lattice_points[i] + shift[k];
-        CHECK_EQUAL(mgdt_mesh_create(&m), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_set_points(m, n_points, xyz), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, n_tetrahedra, lattice, lattice_markers), MGDT_OK);
-        CHECK_EQUAL(mgdt_mesh_build(m), MGDT_OK);
+        m = mesh_of(n_points, xyz, n_tetrahedra, lattice, lattice_markers);
         before = least_angle(m);
         set(m, MGDT_MESH_OPTION_BOUNDARY, MGDT_BOUNDARY_SLIDE);
         set(m, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_REMOVE);
@@ -365,16 +358,6 @@ static void dangling_items(void) {
     }
 }
 
-static mgdt_mesh* mesh_of(int64_t points, const double* xyz, int64_t tetrahedra,
-                          const int64_t* corners) {
-    mgdt_mesh* m = NULL;
-    CHECK_EQUAL(mgdt_mesh_create(&m), MGDT_OK);
-    CHECK_EQUAL(mgdt_mesh_set_points(m, points, xyz), MGDT_OK);
-    CHECK_EQUAL(mgdt_mesh_set_tetrahedra(m, tetrahedra, corners, NULL), MGDT_OK);
-    CHECK_EQUAL(mgdt_mesh_build(m), MGDT_OK);
-    return m;
-}
-
 /* Two columns of cubes that have nothing in common but one edge of each cube. The points of these
  * edges have tetrahedra in both columns, and stay. */
 static void touching_solids(void) {
@@ -403,7 +386,7 @@ static void touching_solids(void) {
             }
     for (boundary = 0; boundary < 2; ++boundary)
         for (points = 0; points < 3; ++points) {
-            mgdt_mesh* const m = mesh_of(28, xyz, 36, corners);
+            mgdt_mesh* const m = mesh_of(28, xyz, 36, corners, NULL);
             double *volumes, sum = 0;
             int64_t n;
             CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
@@ -426,12 +409,12 @@ static void touching_solids(void) {
 /* A point of no tetrahedron has no influence, however far away it is. */
 static void far_point(void) {
     static double xyz[3 * (n_points + 1)];
-    mgdt_mesh* const near = mesh_of(n_points, lattice_points, n_tetrahedra, lattice);
+    mgdt_mesh* const near = mesh_of(n_points, lattice_points, n_tetrahedra, lattice, NULL);
     mgdt_mesh* far;
     double *a, *b;
     memcpy(xyz, lattice_points, sizeof lattice_points);
     xyz[3 * n_points] = xyz[3 * n_points + 1] = xyz[3 * n_points + 2] = -1e300;
-    far = mesh_of(n_points + 1, xyz, n_tetrahedra, lattice);
+    far = mesh_of(n_points + 1, xyz, n_tetrahedra, lattice, NULL);
     set(near, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
     set(far, MGDT_MESH_OPTION_POINTS, MGDT_POINTS_MOVE);
     set(near, MGDT_MESH_OPTION_GOAL, 35);
@@ -445,6 +428,19 @@ static void far_point(void) {
     b = doubles_of(far, MGDT_MESH_ARRAY_POINTS);
     CHECK(memcmp(a, b, sizeof lattice_points) == 0);
     CHECK(b[3 * n_points] == -1e300);
+    {
+        static const double outside[6] = {-1, 2.25, 1.75, 2.5, 1.5, 9};
+        int64_t at[2][2];
+        double weights[2][8];
+        CHECK_EQUAL(
+            mgdt_mesh_locate_points(near, MGDT_OUTSIDE_BOUNDARY, 2, outside, at[0], weights[0]),
+            MGDT_OK);
+        CHECK_EQUAL(
+            mgdt_mesh_locate_points(far, MGDT_OUTSIDE_BOUNDARY, 2, outside, at[1], weights[1]),
+            MGDT_OK);
+        CHECK(memcmp(at[0], at[1], sizeof at[0]) == 0);
+        CHECK(memcmp(weights[0], weights[1], sizeof weights[0]) == 0);
+    }
     free(a);
     free(b);
     mgdt_mesh_destroy(near);
@@ -502,7 +498,7 @@ static void mean_alone(void) {
 static void flat_roof(void) {
     static const double xyz[15] = {0, 0, 0, 1, 0, 0, .5, .87, 0, .5, .29, .05, 30, .29, -.5};
     static const int64_t corners[8] = {0, 1, 2, 3, 0, 2, 1, 4};
-    mgdt_mesh* const m = mesh_of(5, xyz, 2, corners);
+    mgdt_mesh* const m = mesh_of(5, xyz, 2, corners, NULL);
     int64_t* reasons;
     CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
     reasons = array_of(m, MGDT_MESH_ARRAY_REASONS);
