@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Remembers which tries have failed, so that they are not repeated while nothing has changed.
+// Remembers which tries to improve a mesh have failed. A try is not repeated until tetrahedra there
+// have changed.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -8,7 +9,7 @@ namespace mgdt {
 
 class FailedTries {
   public:
-    // A set of kinds of tries: each kind is one bit.
+    // Several kinds of tries, with one bit for each.
     using Kinds = std::uint8_t;
     struct Kind {
         Kinds bit;

@@ -11,8 +11,9 @@ namespace {
 constexpr FailedTries::Kind flips = {1, 1}, contractions = {2, 2}, insertions = {4, 4},
                             raised_insertions = {8, 8};
 
-// Kinds of moves of a vertex. In the tail they do not end where the goal is reached; but if the
-// first one fails there, it fails anywhere. Moves that push have fewer conditions than all others.
+// Kinds of moves of a vertex. In the tail, a vertex moves on after its tetrahedra have reached the
+// goal; where even its first move fails, it fails outside of the tail too. Moves that push have the
+// fewest conditions, so where these fail, all others do.
 constexpr FailedTries::Kind moves = {1, 1}, tail_moves = {2, 2 | 1}, raised_moves = {4, 4},
                             pushing_moves = {8, 8 | 4 | 2 | 1};
 
@@ -69,8 +70,8 @@ std::uint32_t Improver::last_change(std::uint32_t t) const noexcept {
     return last;
 }
 
-// Calls find(t, finder, change) for the candidates for which it has not failed, or not since
-// something there has changed.
+// Calls find(t, finder, change) for each candidate, except where it has failed and no tetrahedron
+// nearby has changed since then.
 template <class Find>
 std::size_t Improver::run_round(FailedTries::Kind kind, StageProgress& progress, const Find& find) {
     failed_.resize(mesh_.tetrahedra.size());

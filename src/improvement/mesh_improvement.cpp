@@ -55,7 +55,7 @@ class MeshImprovement {
     void allow(const Buffer<std::uint32_t>& fixed) {
         Buffer<Permission> permissions(allocator_);
         permissions.resize(given_points(), static_cast<Permission>(options_.points));
-        // Of equal points, the first one is in the mesh.
+        // Tetrahedra have the first of several equal points as a corner.
         for (const std::uint32_t p : fixed) permissions[mesh_.point_origins[p]] = Permission::none;
         permissions.resize(mesh_.points.size() / 3, Permission::to_leave);
         classify_vertices(flexible_, permissions, options_.slides);

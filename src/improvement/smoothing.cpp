@@ -69,7 +69,8 @@ void Smoothing::color() {
             order_[next[color - 1]++] = k;
 }
 
-// Moves the vertices to places that search(search, vertex, place) finds.
+// Moves the vertices of some tetrahedra. search(search, vertex, place) replaces the place by a
+// better one, or returns false if it finds none.
 template <class Search>
 std::size_t Smoothing::move_all(const Buffer<std::uint32_t>& tetrahedra, StageProgress& progress,
                                 const Search& search) {
@@ -77,14 +78,12 @@ std::size_t Smoothing::move_all(const Buffer<std::uint32_t>& tetrahedra, StagePr
     collect_stars(progress);
     color();
     ++mesh_.round;
-    std::size_t moved = 0;
     try {
-        moved = move_colors(progress, search);
+        return move_colors(progress, search);
     } catch (...) {
         undo_moves();
         throw;
     }
-    return moved;
 }
 
 // Moves the vertices, one colour after the other. Returns how many have moved.

@@ -88,12 +88,11 @@ bool VertexInsertion::find(std::uint32_t t, double goal, Change& change) {
         for (const std::uint32_t v : mesh_.tetrahedra[t].v) place_[k] += mesh_.point(v)[k] / 4;
     }
     begin(t);
-    double before = mesh_.qualities[t], best = before;
+    double best = mesh_.qualities[t];
     std::size_t best_size = 0;
     double best_place[3];
     while (cavity_.size() < most_tetrahedra && grow()) {
         const double worst = move(goal);
-        before = std::min(before, mesh_.qualities[cavity_[cavity_.size() - 1]]);
         if (worst > best) {
             best = worst;
             best_size = cavity_.size();
@@ -102,8 +101,7 @@ bool VertexInsertion::find(std::uint32_t t, double goal, Change& change) {
     }
     if (best_size == 0) return false;
     std::copy_n(best_place, 3, place_);
-    for (const std::uint32_t r : cavity_)
-        if (change.removed.size() < best_size) change.removed.push_back(r);
+    for (std::size_t k = 0; k < best_size; ++k) change.removed.push_back(cavity_[k]);
     begin(t);
     for (std::size_t k = 1; k < best_size; ++k) add(change.removed[k]);
     if (!keeps_vertices_and_edges()) return false;

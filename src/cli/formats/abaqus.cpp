@@ -259,7 +259,8 @@ class Reader {
             const std::int64_t first = integer("the first element"),
                                last = integer("the last element"),
                                step = at_ < words_.size() ? integer("the step") : 1;
-            // A list without GENERATE would take a byte for each element at least.
+            // Generated sets have no more elements than the file has bytes: otherwise a small file
+            // could fill the memory.
             if (last < first || (last - first) / step >= generated_left_)
                 lines_.fail(fmt::format("{} to {}: too many elements", first, last));
             generated_left_ -= (last - first) / step + 1;

@@ -17,6 +17,11 @@ inline bool is_value(NumberStatus status) {
     return status == NumberStatus::ok || status == NumberStatus::not_finite;
 }
 
+// Whether a number is a marker: an integer of 32 bits.
+inline bool is_marker(double value) {
+    return value >= -0x1p31 && value < 0x1p31 && value == static_cast<std::int32_t>(value);
+}
+
 // Parses a decimal integer in the range of int64.
 bool parse_integer(std::string_view text, std::int64_t& value);
 

@@ -11,6 +11,7 @@
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/number.hpp"
 #include "cli/formats/tetgen_nodes.hpp"
 #include "cli/formats/text_rows.hpp"
 #include "cli/system.hpp"
@@ -90,7 +91,7 @@ void read_elements(const Source& source, std::int64_t base, bool has_markers, Me
         if (!reads_markers) continue;
         // Attributes are numbers; the marker of a region is a whole one.
         const double marker = fields.number("the tetrahedron's attribute");
-        if (!(marker >= -0x1p31 && marker < 0x1p31) || marker != static_cast<std::int32_t>(marker))
+        if (!is_marker(marker))
             lines.fail(fmt::format("the attribute {} is no 32-bit integer", marker));
         mesh.regions.push_back(static_cast<std::int32_t>(marker));
     }

@@ -276,11 +276,13 @@ class MarkerArrays {
   public:
     explicit MarkerArrays(VtkCellMarkers& markers) : markers_(markers) {}
 
-    // Whether an array has markers and no earlier name has been found.
-    bool wants(std::string_view name) const { return rank_of(name) < best_[list_of(name)]; }
+    // Whether an array has markers, and none has been read whose name comes before it in the list.
+    bool wants(std::string_view name) const {
+        return rank_of(name) < best_[is_of_facets(name) ? 1 : 0];
+    }
     void take(std::string_view name, const std::vector<double>& values, Words& words) {
-        const bool is_facet = list_of(name) == 1;
-        best_[list_of(name)] = rank_of(name);
+        const bool is_facet = is_of_facets(name);
+        best_[is_facet ? 1 : 0] = rank_of(name);
         (is_facet ? markers_.facets
                   : markers_.regions) = vtk_markers_of(values, [&](std::size_t cell, double value) {
             words.fail(fmt::format("{} of cell {}: {} is no 32-bit integer", name, cell, value));
@@ -288,17 +290,22 @@ class MarkerArrays {
     }
 
   private:
-    static constexpr std::size_t none = 99;
-    static std::size_t list_of(std::string_view name) { return name == "facet" ? 1 : 0; }
+    static bool is_of_facets(std::string_view name) {
+        return rank_in(vtk_facet_arrays, name) < std::size(vtk_facet_arrays);
+    }
+    // The position of a name in a list; beyond the end if it is not there.
+    template <std::size_t n>
+    static std::size_t rank_in(const char* const (&names)[n], std::string_view name) {
+        return static_cast<std::size_t>(std::find(names, names + n, name) - names);
+    }
     static std::size_t rank_of(std::string_view name) {
-        if (name == "facet") return 0;
-        for (std::size_t i = 0; i < std::size(vtk_region_arrays); ++i)
-            if (name == vtk_region_arrays[i]) return i;
-        return none;
+        return is_of_facets(name) ? rank_in(vtk_facet_arrays, name)
+                                  : rank_in(vtk_region_arrays, name);
     }
 
     VtkCellMarkers& markers_;
-    std::size_t best_[2] = {none, none};
+    // The ranks of the arrays of regions and of facets that have been read.
+    std::size_t best_[2] = {std::size(vtk_region_arrays), std::size(vtk_facet_arrays)};
 };
 
 // Reads or skips an array of `tuples` times `components` numbers.
@@ -358,7 +365,7 @@ void read_scalars(Input& input, std::int64_t tuples, MarkerArrays* markers) {
 // Reads the markers from the data of cells, and skips all other data. `word` is POINT_DATA or
 // CELL_DATA.
 VtkCellMarkers read_markers(Input& input, std::string_view word, std::size_t cells) {
-    // Data of 1, 3, 6 or 9 numbers that have a name and a type.
+    // Keywords that a name and a type follow, and how many numbers each point or cell has then.
     static constexpr struct {
         std::string_view keyword;
         std::int64_t components;

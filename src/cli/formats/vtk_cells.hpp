@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/formats/file_mesh.hpp"
+#include "cli/formats/number.hpp"
 
 namespace mgdt::cli {
 
@@ -93,15 +94,13 @@ inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count,
     if (!markers.regions.empty()) mesh.regions.push_back(markers.regions[cell]);
 }
 
-// The markers that values are. fail(cell, value) is called for a value that is no marker.
+// Converts values to markers. Calls fail(cell, value), which throws, for a value that is none.
 template <class Fail>
 std::vector<std::int32_t> vtk_markers_of(const std::vector<double>& values, const Fail& fail) {
     std::vector<std::int32_t> markers;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double value = values[i];
-        if (!(value >= -0x1p31 && value < 0x1p31) || value != static_cast<std::int32_t>(value))
-            fail(i, value);
-        markers.push_back(static_cast<std::int32_t>(value));
+        if (!is_marker(values[i])) fail(i, values[i]);
+        markers.push_back(static_cast<std::int32_t>(values[i]));
     }
     return markers;
 }
