@@ -65,4 +65,13 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     return result;
 }
 
+void separate_facets(const Boundary& boundary, PlanarFacets& facets) {
+    facets.facets.clear();
+    for (std::uint32_t t = 0; t < boundary.triangles.size() / 3; ++t) {
+        const std::uint32_t* const v = boundary.triangles.begin() + 3 * std::size_t{t};
+        facets.of_triangle[t] = t;
+        facets.facets.push_back({{v[0], v[1], v[2]}, t});
+    }
+}
+
 }  // namespace mgdt

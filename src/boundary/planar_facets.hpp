@@ -30,4 +30,7 @@ struct PlanarFacets {
 PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int32_t>& markers,
                                 Allocator& allocator);
 
+// Makes every triangle a facet of its own. The segments stay.
+void separate_facets(const Boundary& boundary, PlanarFacets& facets);
+
 }  // namespace mgdt

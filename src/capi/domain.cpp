@@ -196,7 +196,7 @@ extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d, const mgdt_mesh* 
     if (!mesh) return MGDT_ERR_NULL_POINTER;
     return guard_long(d, [&](StageProgress& progress) {
         const SecondHandle second(mesh);
-        if (!mesh->object.value.is_delaunay)
+        if (!mesh->object.value.is_of_domain)
             fail(
                 MGDT_ERR_INVALID_ARGUMENT,
                 "the mesh has been improved, or was not made of a domain; mgdt_mesh_check() checks "

@@ -12,6 +12,10 @@ struct ConstrainedMesh : LinkedTetrahedra {
     ConstrainedMesh(const Triangulation& triangulation, const Buffer<double>& points,
                     Allocator& allocator);
 
+    // A mesh without tetrahedra.
+    ConstrainedMesh(const Buffer<double>& points, Allocator& allocator)
+        : LinkedTetrahedra(allocator), points(points) {}
+
     const double* point(std::uint32_t v) const noexcept {
         return points.begin() + 3 * std::size_t{v};
     }

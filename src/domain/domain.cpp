@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "domain/facet_insertion.hpp"
-#include "domain/mesh_assembly.hpp"
+#include "domain/kept_boundary.hpp"
 #include "domain/mesh_comparison.hpp"
 #include "parallel/thread_count.hpp"
 #include "platform/objects.hpp"
@@ -172,6 +172,7 @@ void Domain::run(StageProgress& progress, SolidMesh& mesh) {
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
     progress.leave_behind(0.05);
     open_edges_ = mgdt::open_edges(complex, allocator_);
+    if (settings_.keeps_boundary) return keep(complex, progress, mesh);
     Attempts attempts;
     Stuck reported;
     for (bool is_last = false; !is_last; complex = make_complex(input_, allocator_)) {
@@ -259,14 +260,54 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     }
     progress.enter(0.9, 1);
     Regions found = find_regions(constrained, grid, input_.regions, input_.holes, allocator_);
-    if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
-    if (found.has_inside && found.markers.empty())
+    finish({input_, complex, facets, grid, constrained, segments.parts, segments.steiner, found},
+           mesh);
+    return std::nullopt;
+}
+
+void Domain::finish(const DomainParts& parts, SolidMesh& mesh) {
+    if (!parts.regions.has_inside && !settings_.takes_open_surfaces) fail_open();
+    if (parts.regions.has_inside && parts.regions.markers.empty())
         fail(MGDT_ERR_OPEN_BOUNDARY, "all that the facets enclose are holes");
     Team team(thread_count(settings_));
-    assemble({input_, complex, facets, grid, constrained, segments.parts, segments.steiner, found},
-             settings_.rounds_points, team, allocator_, mesh);
+    assemble(parts, settings_.rounds_points, team, allocator_, mesh);
     if (settings_.is_strict) require_all_used(mesh);
-    return std::nullopt;
+}
+
+// Makes a mesh in which every triangle of a facet is one face. Its points are not rounded.
+void Domain::keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh) {
+    if (complex.boundary.triangles.empty() && !settings_.takes_open_surfaces) fail_open();
+    mesh = SolidMesh(mesh.points.allocator());
+    PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
+    mesh.planar_facets = facets.facets.size();
+    separate_facets(complex.boundary, facets);
+    KeptBoundary kept(allocator_);
+    StageProgress stages = progress.within(0, 0.9);
+    keep_boundary(complex, settings_.threads, allocator_, stages, kept);
+    if (kept.lost_edge[0] != no_index) {
+        const auto number = [&](std::size_t k) {
+            return static_cast<long long>(complex.point_of_number[kept.lost_edge[k]]) +
+                   settings_.index_base;
+        };
+        fail(MGDT_ERR_RESOLUTION,
+             "the boundary cannot be kept: the edge from point %lld to point %lld, or a facet at "
+             "it, is missing",
+             number(0), number(1));
+    }
+    progress.enter(0.9, 1);
+    const RoundingGrid grid(0.0, RoundingGrid::no_rounding);
+    Regions found = find_regions(kept.mesh, grid, input_.regions, input_.holes, allocator_);
+    const std::size_t given = complex.point_of_number.size();
+    Buffer<SteinerPoint> added(allocator_);
+    added.resize(sort_added_points(kept, found.of_tetrahedron, given, allocator_), {no_index, 0});
+    Buffer<Subsegment> segments(allocator_);
+    for (std::uint32_t s = 0; s < facets.segments.size() / 2; ++s) {
+        const std::uint32_t* const ends = facets.segments.begin() + 2 * std::size_t{s};
+        segments.push_back({{ends[0], ends[1]}, s, 0, 1});
+    }
+    mesh.is_delaunay = false;
+    mesh.keeps_facets = true;
+    finish({input_, complex, facets, grid, kept.mesh, segments, added, found}, mesh);
 }
 
 void Domain::require_all_used(const SolidMesh& mesh) const {

@@ -12,6 +12,7 @@
 #include "boundary/complex.hpp"
 #include "boundary/validation.hpp"
 #include "domain/attempts.hpp"
+#include "domain/mesh_assembly.hpp"
 #include "platform/stage_progress.hpp"
 #include "solid/solid_mesh.hpp"
 
@@ -19,6 +20,7 @@ namespace mgdt {
 
 struct DomainSettings : CallSettings {
     bool rounds_points = false;
+    bool keeps_boundary = false;       // every triangle of a facet is to be one face
     bool is_strict = false;            // refuses a mesh that leaves out what was set
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
 };
@@ -101,6 +103,8 @@ class Domain {
         std::size_t steiner_points;  // how many there were then
     };
     using Stuck = std::optional<StuckSegment>;
+    void keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
+    void finish(const DomainParts& parts, SolidMesh& mesh);
     Stuck mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
                   SolidMesh& mesh);
 

@@ -165,6 +165,11 @@ class Assembly {
 
     void write_steiner_points() {
         for (const SteinerPoint& s : parts_.steiner) {
+            if (s.segment == no_index) {
+                for (int k = 0; k < 2; ++k) out_.steiner_edges.push_back(no_index);
+                out_.steiner_parameters.push_back(0);
+                continue;
+            }
             const std::uint32_t* const ends =
                 parts_.facets.segments.begin() + 2 * std::size_t{s.segment};
             for (int k = 0; k < 2; ++k) out_.steiner_edges.push_back(index(ends[k]));
@@ -191,7 +196,7 @@ class Assembly {
         for (std::size_t i = 0; i < parts_.steiner.size(); ++i) {
             const double* const exact = parts_.mesh.points.begin() + 3 * (distinct + i);
             double x[3];
-            if (rounded)
+            if (rounded || parts_.steiner[i].segment == no_index)
                 for (int k = 0; k < 3; ++k) x[k] = parts_.grid.unround(exact[k]);
             else
                 SolidMesh::place_on_segment(given(out_.steiner_edges[2 * i]),

@@ -44,6 +44,7 @@ class MeshComparison {
         for (double& x : complex_.boundary.points) x = grid_.round(x);
         progress_.enter(0, 0.2);
         facets_ = find_planar_facets(complex_.boundary, complex_.markers, allocator_);
+        if (mesh_.keeps_facets) check_kept_facets();
         check_points();
         check_sources();
         if (is_flat()) return;
@@ -147,6 +148,16 @@ class MeshComparison {
                      number(complex_.facet_of_triangle[facets_.facets[first.facet].triangle]),
                      number(first.a), number(first.b));
         }
+    }
+
+    // Checks that there are as many faces as triangles of facets. If the faces cover the facets,
+    // each of these is then one face, or as many as its polygon has triangles.
+    void check_kept_facets() {
+        const std::size_t faces = mesh_.face_facets.size(), triangles = facets_.of_triangle.size();
+        if (faces != triangles)
+            fail(MGDT_ERR_CHECK_FAILED, "facets have %zu triangles, and the mesh has %zu faces",
+                 triangles, faces);
+        separate_facets(complex_.boundary, facets_);
     }
 
     // The orientation of a triangle in the plane of a planar facet, relative to the first triangle
@@ -254,7 +265,7 @@ class MeshComparison {
     }
 
     // Checks that exactly the parts of the segments are listed, and that every Steiner point is on
-    // a segment.
+    // a segment or on nothing.
     void check_segments() {
         Buffer<Part> given(allocator_), expected(allocator_), found(allocator_);
         const Buffer<std::uint32_t>& ends = complex_.boundary.segments;
@@ -279,6 +290,8 @@ class MeshComparison {
             expected.push_back(part(from, chain.is_reversed ? a : b, source));
             steiner += chain.size;
         }
+        for (std::size_t i = 0; i < mesh_.steiner_parameters.size(); ++i)
+            if (mesh_.steiner_edges[2 * i] == no_index) ++steiner;
         if (steiner != mesh_.steiner_parameters.size())
             fail(MGDT_ERR_CHECK_FAILED, "a Steiner point is on no segment");
         for (std::size_t s = 0; s < mesh_.edge_segments.size(); ++s)

@@ -16,7 +16,8 @@ struct Subsegment {
     std::uint32_t k0, k1;
 };
 
-// A point that was put on a segment: point k of its DividedSegment.
+// A point that was added to a mesh: point k of the DividedSegment of its segment. If the segment is
+// no_index, the point is on none.
 struct SteinerPoint {
     std::uint32_t segment, k;
 };

@@ -117,6 +117,7 @@ void FlexibleMesh::write(const SolidMesh& from, SolidMesh& made,
     made.unused_holes.copy(from.unused_holes);
     made.is_rounded = from.is_rounded;
     made.grid = from.grid;
+    made.is_of_domain = false;
     made.is_delaunay = false;
     made.planar_facets = from.planar_facets;
     made.missing_facets = from.missing_facets;

@@ -154,7 +154,7 @@ class EmbeddingCheck {
             if (is_edge[segments.find(mesh_.edges[s], mesh_.edges[s + 1])] == 0)
                 outside.push_back(simplex(mesh_.edges.begin() + s, 2));
         // A mesh that has been changed may have lost points.
-        for (std::uint32_t p = 0; p < is_corner.size() && mesh_.is_delaunay; ++p) {
+        for (std::uint32_t p = 0; p < is_corner.size() && mesh_.is_of_domain; ++p) {
             // Equal points are tested once.
             const std::uint32_t origin = mesh_.point_origins[p];
             const bool is_first = origin == p || origin == no_index;

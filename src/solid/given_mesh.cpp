@@ -29,6 +29,7 @@ class Linking {
     void run(StageProgress& progress) {
         out_.points.copy(given_.points);
         out_.exact_points.copy(given_.points);
+        out_.is_of_domain = false;
         out_.is_delaunay = false;
         const auto points = static_cast<std::uint32_t>(given_.points.size() / 3);
         for (std::uint32_t p = 0; p < points; ++p) out_.point_origins.push_back(p);

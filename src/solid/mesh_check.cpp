@@ -78,10 +78,11 @@ class MeshCheck {
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld has a wrong end", number(i / 2));
     }
 
-    // Checks that points are on the grid, and that each Steiner point divides its edge.
+    // Checks that points are on the grid, and that each Steiner point divides its edge, if it has
+    // one.
     void check_points() const {
         const std::size_t given = mesh_.points.size() / 3 - mesh_.steiner_parameters.size();
-        for (std::size_t i = 0; i < 3 * given && mesh_.is_delaunay; ++i)
+        for (std::size_t i = 0; i < 3 * given && mesh_.is_of_domain; ++i)
             if (mesh_.exact_points[i] != mesh_.grid.round(mesh_.points[i]))
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld is not where it was", number(i / 3));
         for (std::size_t i = 0; i < mesh_.point_origins.size(); ++i) {
@@ -90,11 +91,17 @@ class MeshCheck {
                           : origin != no_index)
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
         }
-        for (std::size_t i = 0; i < mesh_.steiner_parameters.size() && mesh_.is_delaunay; ++i) {
+        for (std::size_t i = 0; i < mesh_.steiner_parameters.size() && mesh_.is_of_domain; ++i) {
             progress_.step(i, 0, mesh_.steiner_parameters.size());
             const std::uint32_t* const ends = mesh_.steiner_edges.begin() + 2 * i;
             const double t = mesh_.steiner_parameters[i];
             const auto p = static_cast<std::uint32_t>(given + i);
+            if (ends[0] == no_index && ends[1] == no_index && t == 0) {
+                for (int k = 0; k < 3; ++k)
+                    if (mesh_.grid.unround(exact(p)[k]) != point(p)[k])
+                        fail(MGDT_ERR_CHECK_FAILED, "point %lld has other coordinates", number(p));
+                continue;
+            }
             bool is_right = ends[0] < given && ends[1] < given && t > 0 && t < 1;
             if (is_right) {
                 const DividedSegment divided(exact(ends[0]), exact(ends[1]));

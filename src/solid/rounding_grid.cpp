@@ -21,9 +21,12 @@ RoundingGrid::RoundingGrid(const Buffer<double>& coordinates, int bits) noexcept
 // Multiples of the step are at least the least double, 2^-1074.
 RoundingGrid::RoundingGrid(double largest, int bits) noexcept
     : bits_(bits),
-      exponent_(largest > 0 ? std::max(std::ilogb(largest) + 1 - bits, -1074 + digits) : 0) {}
+      exponent_(largest > 0 && bits != no_rounding
+                    ? std::max(std::ilogb(largest) + 1 - bits, -1074 + digits)
+                    : 0) {}
 
 double RoundingGrid::round(double x) const noexcept {
+    if (bits_ == no_rounding) return x + 0.0;
     // The largest multiple is below 2^bits, because 2^bits steps may be 2^1024, which is no double.
     const double most = std::ldexp(1, bits_) - 1;
     const double rounded = std::nearbyint(scaled(x));
@@ -35,7 +38,7 @@ double RoundingGrid::scaled(double x) const noexcept {
 }
 
 bool RoundingGrid::scale_place(const double (&x)[3], double (&result)[3]) const noexcept {
-    const double far = std::ldexp(1, bits_ + 4);
+    const double far = bits_ == no_rounding ? HUGE_VAL : std::ldexp(1, bits_ + 4);
     bool is_near = true;
     for (int k = 0; k < 3; ++k) {
         result[k] = scaled(x[k]);

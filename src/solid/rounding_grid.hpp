@@ -16,6 +16,8 @@ class RoundingGrid {
     // enough points on segments.
     static constexpr int usual_bits = 36;
     static constexpr int least_bits = 24, most_bits = 44;
+    // As the number of bits: points are not rounded, and the step is 1.
+    static constexpr int no_rounding = 0;
     // Points of segments are multiples of 2^-digits steps, which are doubles as well.
     static constexpr int digits = 36;
 

@@ -59,9 +59,11 @@ struct SolidMesh {
     Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
-    // Whether the mesh is constrained Delaunay, has all points, and these are on the grid.
-    bool is_delaunay = true;
-    bool is_rounded = false;  // whether the caller's points are rounded to the grid
+    // Whether the mesh is that of a domain, which has all points, and these are on the grid.
+    bool is_of_domain = true;
+    bool is_delaunay = true;    // whether it is constrained Delaunay
+    bool keeps_facets = false;  // whether each triangle of the domain's facets is one face
+    bool is_rounded = false;    // whether the caller's points are rounded to the grid
     RoundingGrid grid{0.0, RoundingGrid::usual_bits};
     // What the caller has set and the mesh does not use, by the caller's numbers: points that are
     // no corner of a tetrahedron and are not equal to one, places of regions, and holes. Also the

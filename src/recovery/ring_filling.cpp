@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "recovery/ring_filling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mgdt {
+
+// How flat a positive tetrahedron is: the cube of its size over its volume.
+double RingFilling::flatness(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                             std::uint32_t d) const noexcept {
+    const double* const x[4] = {mesh_.point(a), mesh_.point(b), mesh_.point(c), mesh_.point(d)};
+    double e[3][3], size = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            e[i][k] = x[i + 1][k] - x[0][k];
+            size += e[i][k] * e[i][k];
+        }
+    const double volume = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+                          e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+                          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+    const double relative = std::fabs(volume) / (size * std::sqrt(size));
+    return relative > 1e-300 ? 1 / relative : 1e300;
+}
+
+RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
+                                         const Crossings& crossings) const {
+    Part best = {0, 0, no_index};
+    const std::uint32_t a = v_[i], c = v_[j];
+    for (std::size_t m = i + 1; m < j; ++m) {
+        const Part &one = best_[i * n_ + m], &other = best_[m * n_ + j];
+        if (one.middle == no_index || other.middle == no_index) continue;
+        const int least = one.crossings + other.crossings;
+        if (best.middle != no_index && least > best.crossings) continue;
+        const std::uint32_t b = v_[m];
+        const double *const pa = mesh_.point(a), *const pb = mesh_.point(b),
+                            *const pc = mesh_.point(c);
+        if (orientation(pa, pb, pc, mesh_.point(q_)) <= 0 ||
+            orientation(pa, pb, pc, mesh_.point(p_)) >= 0)
+            continue;
+        const int count = least + crossings.of_face(a, b, c);
+        const double flat =
+            std::max({one.flatness, other.flatness, flatness(a, b, c, q_), flatness(a, b, c, p_)});
+        if (best.middle == no_index || count < best.crossings ||
+            (count == best.crossings && flat < best.flatness))
+            best = {count, flat, static_cast<std::uint32_t>(m)};
+    }
+    return best;
+}
+
+// Klincsek's dynamic program (Minimal triangulations of polygonal domains, 1980).
+bool RingFilling::find(std::uint32_t p, std::uint32_t q, const std::uint32_t* polygon,
+                       std::size_t n, const Crossings& crossings) {
+    p_ = p;
+    q_ = q;
+    v_ = polygon;
+    n_ = n;
+    best_.clear();
+    best_.resize(n * n, {0, 0, no_index});
+    for (std::size_t i = 0; i + 1 < n; ++i) best_[i * n + i + 1].middle = 0;
+    for (std::size_t length = 2; length < n; ++length)
+        for (std::size_t i = 0; i + length < n; ++i) {
+            const std::size_t j = i + length;
+            Part best = best_part(i, j, crossings);
+            // The new edge from i to j and the faces at it, unless it closes the polygon.
+            if (best.middle != no_index && length + 1 < n)
+                best.crossings += crossings.of_edge(v_[i], v_[j]) +
+                                  crossings.of_face(v_[i], v_[j], p) +
+                                  crossings.of_face(v_[i], v_[j], q);
+            best_[i * n + j] = best;
+        }
+    return best_[n - 1].middle != no_index;
+}
+
+void RingFilling::append(Buffer<FlipMesh::Corners>& to) {
+    parts_.clear();
+    parts_.push_back(static_cast<std::uint32_t>(n_ - 1));
+    while (!parts_.empty()) {
+        const std::uint32_t part = parts_.back();
+        const std::size_t first = part / n_, last = part % n_;
+        parts_.resize(parts_.size() - 1);
+        if (last < first + 2) continue;
+        const std::size_t middle = best_[part].middle;
+        const std::uint32_t a = v_[first], b = v_[middle], c = v_[last];
+        to.push_back({{a, b, c, q_}});
+        to.push_back({{a, c, b, p_}});
+        parts_.push_back(static_cast<std::uint32_t>(first * n_ + middle));
+        parts_.push_back(static_cast<std::uint32_t>(middle * n_ + last));
+    }
+}
+
+}  // namespace mgdt
