@@ -15,6 +15,7 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
       walk_(mesh, allocator),
       over_(mesh, allocator),
       chain_(mesh, allocator),
+      sheet_(mesh, allocator),
       missing_(allocator),
       left_(allocator),
       tried_(allocator) {
@@ -166,7 +167,9 @@ bool BoundaryRecovery::recover_triangle(const std::uint32_t (&v)[3], unsigned de
                 is_reduced = flips_.remove_edge(e.p, e.q, crossings, -1, d, change);
                 if (is_reduced) break;
             }
-        if (!is_reduced) return false;
+        if (!is_reduced)
+            return depth == Flips::most_depth && over_.run(v) == TriangleWalk::Result::crosses &&
+                   sheet_.recover(v, over_);
     }
 }
 

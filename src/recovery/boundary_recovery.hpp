@@ -6,7 +6,7 @@
 #include "recovery/crossing_walk.hpp"
 #include "recovery/flips.hpp"
 #include "recovery/segment_chain.hpp"
-#include "recovery/triangle_walk.hpp"
+#include "recovery/triangle_sheet.hpp"
 
 namespace mgdt {
 
@@ -48,6 +48,7 @@ class BoundaryRecovery {
     CrossingWalk walk_;
     TriangleWalk over_;
     SegmentChain chain_;
+    TriangleSheet sheet_;
     std::uint32_t lost_edge_[2] = {no_index, no_index};
     bool with_points_ = false;
     Buffer<std::uint32_t> missing_, left_;

@@ -14,49 +14,53 @@ bool SegmentChain::is_positive(const FlipMesh::Corners& t) const noexcept {
 
 bool SegmentChain::recover(std::uint32_t a, std::uint32_t b) {
     const std::size_t state = mesh_.state();
-    if (recover_straight(a, b)) return true;
-    mesh_.undo(state);
-    for (const double share : {1e-2, 1e-4, 1e-6, 1e-8})
-        for (unsigned direction = 0; direction < 6; ++direction) {
-            if (recover_bent(a, b, share, direction)) return true;
-            mesh_.undo(state);
-        }
+    const bool is_done = replace_edges(a, b) && recover_straight(a, b);
+    if (!is_done) mesh_.undo(state);
+    return is_done;
+}
+
+// Replaces the edges that the segment crosses, so that it crosses faces alone.
+bool SegmentChain::replace_edges(std::uint32_t a, std::uint32_t b) {
+    constexpr int most_edges = 100;
+    for (int i = 0; i < most_edges; ++i) {
+        const CrossingWalk::Result result = walk_.run(a, b);
+        if (result != CrossingWalk::Result::crosses) return result == CrossingWalk::Result::is_edge;
+        const Crossing* const first =
+            std::find_if(walk_.crossings().begin(), walk_.crossings().end(),
+                         [](const Crossing& c) { return c.is_edge(); });
+        if (first == walk_.crossings().end()) return true;
+        double on[3];
+        find_crossing(mesh_, a, b, *first, on);
+        if (!replace_edge(first->v[0], first->v[1], on)) return false;
+    }
     return false;
 }
 
-// Makes two edges that meet near the segment, at a point that is beside the plane of an edge that
-// the segment crosses, and takes the point out.
-bool SegmentChain::recover_bent(std::uint32_t a, std::uint32_t b, double share,
-                                unsigned direction) {
-    if (walk_.run(a, b) != CrossingWalk::Result::crosses) return false;
-    const Crossing first = walk_.crossings()[0];
-    double on[3], x[3];
-    find_crossing(mesh_, a, b, first, on);
-    double length = 0;
-    for (int k = 0; k < 3; ++k) length += std::fabs(mesh_.point(b)[k] - mesh_.point(a)[k]);
-    // A direction along no axis.
-    constexpr double directions[3][3] = {
-        {0.7431, 0.1127, -0.3319}, {-0.2211, 0.8123, 0.1873}, {0.1319, -0.2741, 0.7919}};
-    for (int k = 0; k < 3; ++k)
-        x[k] = on[k] + (direction < 3 ? share : -share) * length * directions[direction % 3][k];
-    const std::uint32_t m = insert_near(first, x);
-    if (m == no_index) return false;
-    for (const std::uint32_t end : {a, b})
-        if (walk_.run(end, m) != CrossingWalk::Result::is_edge && !recover_straight(end, m))
-            return false;
-    return withdrawal_.run(a, m, b);
-}
-
-// Adds a point in a tetrahedron at a face or an edge. Returns no_index if it is in none.
-std::uint32_t SegmentChain::insert_near(const Crossing& c, const double (&x)[3]) {
-    for (int side = 0; side < (c.is_edge() ? 1 : 3); ++side) {
-        if (!ring_.collect(mesh_, c.v[side], c.v[(side + 1) % (c.is_edge() ? 2 : 3)])) continue;
-        for (const std::uint32_t t : ring_.tetrahedra) {
-            const std::uint32_t made = mesh_.split(t, x);
-            if (made != no_index) return made;
+// Joins a new point, which is beside a point of an edge, to all that is around the edge.
+bool SegmentChain::replace_edge(std::uint32_t p, std::uint32_t q, const double (&on)[3]) {
+    if (!ring_.collect(mesh_, p, q)) return false;
+    const std::size_t n = ring_.v.size(), state = mesh_.state();
+    for (const double share : {0.2931, 0.1127, 0.0213, 0.00317, 1.7e-4, 7.3e-6})
+        for (std::size_t i = 0; i < n; ++i) {
+            double x[3];
+            for (int k = 0; k < 3; ++k)
+                x[k] = on[k] + share * (0.8117 * (mesh_.point(ring_.v[i])[k] - on[k]) +
+                                        0.1513 * (mesh_.point(ring_.v[(i + 1) % n])[k] - on[k]) +
+                                        0.0371 * (mesh_.point(p)[k] - on[k]));
+            const std::uint32_t z = mesh_.add_point(x);
+            added_.clear();
+            for (std::size_t j = 0; j < n; ++j) {
+                const std::uint32_t here = ring_.v[j], next = ring_.v[(j + 1) % n];
+                added_.push_back({{p, z, here, next}});
+                added_.push_back({{z, q, here, next}});
+            }
+            if (std::all_of(added_.begin(), added_.end(),
+                            [&](const FlipMesh::Corners& t) { return is_positive(t); }) &&
+                mesh_.replace(ring_.tetrahedra, added_))
+                return true;
+            mesh_.undo(state);
         }
-    }
-    return no_index;
+    return false;
 }
 
 bool SegmentChain::recover_straight(std::uint32_t a, std::uint32_t b) {

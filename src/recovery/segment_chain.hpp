@@ -12,8 +12,8 @@ namespace mgdt {
 // A segment that crosses the insides of faces alone passes through tetrahedra one after the other.
 // A point in each of them, near the segment, is joined to the next one by a flip of the face
 // between them. So there is a chain of edges from one end of the segment to the other, from which
-// one vertex after the other is withdrawn. If the segment crosses an edge, two segments are
-// recovered that meet beside it, and their common end is withdrawn.
+// one vertex after the other is withdrawn. An edge that the segment crosses is
+// replaced first, by edges to a new point beside it.
 class SegmentChain {
   public:
     SegmentChain(FlipMesh& mesh, Allocator& allocator)
@@ -31,8 +31,8 @@ class SegmentChain {
 
   private:
     bool recover_straight(std::uint32_t a, std::uint32_t b);
-    bool recover_bent(std::uint32_t a, std::uint32_t b, double share, unsigned direction);
-    std::uint32_t insert_near(const Crossing& c, const double (&x)[3]);
+    bool replace_edges(std::uint32_t a, std::uint32_t b);
+    bool replace_edge(std::uint32_t p, std::uint32_t q, const double (&on)[3]);
     bool build(std::uint32_t a, std::uint32_t b, const Buffer<Crossing>& crossings);
     bool join(std::uint32_t from, std::uint32_t to, const std::uint32_t (&face)[3]);
     bool is_positive(const FlipMesh::Corners& t) const noexcept;

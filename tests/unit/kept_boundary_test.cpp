@@ -36,8 +36,8 @@ TEST(KeptBoundary, KeepsAllTestSurfaces) {
         SCOPED_TRACE(s.name);
         MeshedDomain domain;
         give(domain, s);
-        // A facet that thousands of edges cross is not recovered.
-        const bool is_hard = s.name == "city on a large square" || s.name == "square in a cloud";
+        // A facet of the city that hundreds of edges cross in points of a lattice is not recovered.
+        const bool is_hard = s.name == "city on a large square";
         EXPECT_EQ(is_kept(domain), !is_hard);
         if (is_hard) continue;
         const SolidMesh& m = domain.mesh();
@@ -59,7 +59,7 @@ TEST(KeptBoundary, KeepsRandomComplexes) {
         give_random_complex(domain, seed);
         kept += is_kept(domain);
     }
-    EXPECT_GE(kept, 146);
+    EXPECT_EQ(kept, 150);
 }
 
 }  // namespace
