@@ -5,7 +5,7 @@
 
 namespace mgdt {
 
-bool EdgeRing::collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to) {
+bool EdgeRing::collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to, std::size_t most) {
     p = from;
     q = to;
     v.clear();
@@ -22,7 +22,7 @@ bool EdgeRing::collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to) {
     if (((i > j) + (i > k) + (i > l) + (j > k) + (j > l)) % 2 == 1) std::swap(k, l);
     std::uint32_t t = first, here = start.v[k], next = start.v[l];
     do {
-        if (v.size() == most_size) return false;
+        if (v.size() == most) return false;
         v.push_back(here);
         tetrahedra.push_back(t);
         const FlipMesh::Tetrahedron& tet = mesh.tetrahedra[t];

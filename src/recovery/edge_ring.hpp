@@ -9,13 +9,13 @@ namespace mgdt {
 // The edge goes from p to q. Its tetrahedra (p, q, v[i], v[i + 1]) are positive; the last one has
 // v[0] as its last corner.
 struct EdgeRing {
-    static constexpr std::size_t most_size = 40;
+    static constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 
     explicit EdgeRing(Allocator& allocator) : v(allocator), tetrahedra(allocator) {}
 
     // Collects the ring of an edge. Returns false if the edge does not exist or is on the hull, or
-    // if it has more than most_size tetrahedra.
-    bool collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to);
+    // if it has more than `most` tetrahedra.
+    bool collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to, std::size_t most = no_limit);
 
     std::uint32_t p = 0, q = 0;
     Buffer<std::uint32_t> v, tetrahedra;

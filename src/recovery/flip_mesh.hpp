@@ -32,6 +32,10 @@ class FlipMesh : public LinkedTetrahedra {
     std::size_t point_count() const noexcept { return points_.size() / 3; }
     // Adds a point. It has no tetrahedron yet.
     std::uint32_t add_point(const double (&x)[3]);
+    // Moves a point that has no tetrahedron yet.
+    void move_point(std::uint32_t v, const double (&x)[3]) noexcept {
+        for (unsigned k = 0; k < 3; ++k) points_[3 * std::size_t{v} + k] = x[k];
+    }
 
     // Replaces tetrahedra by others that fill the same place. Returns false, and changes nothing,
     // if the others have different outer faces.

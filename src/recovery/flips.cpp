@@ -18,7 +18,7 @@ bool Flips::remove_edge(std::uint32_t p, std::uint32_t q, const Crossings& cross
     if (budget_ == 0 || is_kept(p, q)) return false;
     --budget_;
     EdgeRing& ring = levels_[depth].ring;
-    if (!ring.collect(mesh_, p, q)) return false;
+    if (!ring.collect(mesh_, p, q, most_ring)) return false;
     const int before = crossings_of(ring, crossings);
     if (filling_.find(p, q, ring.v.begin(), ring.v.size(), crossings) &&
         filling_.crossings() - before <= limit) {
@@ -74,7 +74,7 @@ bool Flips::remove_face(std::uint32_t code, const Crossings& crossings, int limi
 bool Flips::turn_edge(std::uint32_t p, std::uint32_t q, const Crossings& crossings, int limit) {
     if (is_kept(p, q)) return false;
     EdgeRing& ring = levels_[0].ring;
-    if (!ring.collect(mesh_, p, q)) return false;
+    if (!ring.collect(mesh_, p, q, most_ring)) return false;
     const int before = crossings_of(ring, crossings);
     const std::size_t state = mesh_.state(), n = ring.v.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -158,6 +158,7 @@ bool Flips::add_point_beside(const EdgeRing& ring, const Crossings& crossings, i
                    crossings.of_face(z, here, ring.p) + crossings.of_face(z, here, ring.q);
         }
         if (is_positive) {
+            center_new_point(mesh_, z, added_, size, center_);
             count += sum;
             return true;
         }

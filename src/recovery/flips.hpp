@@ -3,6 +3,7 @@
 #pragma once
 
 #include "recovery/edge_ring.hpp"
+#include "recovery/plane_center.hpp"
 #include "recovery/ring_filling.hpp"
 #include "solid/pair_table.hpp"
 
@@ -17,6 +18,7 @@ class Flips {
           levels_{Level(allocator), Level(allocator), Level(allocator)},
           filling_(mesh, allocator),
           part_(allocator),
+          center_(allocator),
           added_(allocator),
           removed_(allocator) {}
 
@@ -46,6 +48,9 @@ class Flips {
     }
 
   private:
+    // The filling of a ring takes time that grows with the cube of its size.
+    static constexpr std::size_t most_ring = 40;
+
     // Working memory of a depth of remove_edge().
     struct Level {
         explicit Level(Allocator& allocator) : ring(allocator), spokes(allocator) {}
@@ -63,6 +68,7 @@ class Flips {
     Level levels_[most_depth + 1];
     RingFilling filling_;
     Buffer<std::uint32_t> part_;  // the vertices of a part of a ring
+    PlaneCenter center_;
     Buffer<FlipMesh::Corners> added_;
     Buffer<std::uint32_t> removed_;
     std::size_t budget_ = 0;

@@ -14,9 +14,12 @@ bool SegmentChain::is_positive(const FlipMesh::Corners& t) const noexcept {
 
 bool SegmentChain::recover(std::uint32_t a, std::uint32_t b) {
     const std::size_t state = mesh_.state();
-    const bool is_done = replace_edges(a, b) && recover_straight(a, b);
-    if (!is_done) mesh_.undo(state);
-    return is_done;
+    for (const bool centers : {true, false}) {
+        withdrawal_.set_centers(centers);
+        if (replace_edges(a, b) && recover_straight(a, b)) return true;
+        mesh_.undo(state);
+    }
+    return false;
 }
 
 // Replaces the edges that the segment crosses, so that it crosses faces alone.

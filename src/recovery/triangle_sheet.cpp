@@ -30,10 +30,14 @@ bool TriangleSheet::recover(const std::uint32_t (&v)[3], const TriangleWalk& wal
     }
     for (double& c : normal_) c /= std::sqrt(size);
     const std::size_t state = mesh_.state();
-    bool is_done = build(walk);
-    while (is_done && !inner_.empty()) is_done = withdraw(inner_.back());
-    if (!is_done) mesh_.undo(state);
-    return is_done;
+    for (const bool centers : {true, false}) {
+        centers_ = centers;
+        bool is_done = build(walk);
+        while (is_done && !inner_.empty()) is_done = withdraw(inner_.back());
+        if (is_done) return true;
+        mesh_.undo(state);
+    }
+    return false;
 }
 
 // Divides the edges that cross the triangle.
@@ -239,7 +243,12 @@ bool TriangleSheet::fill_side(std::uint32_t side, std::uint32_t s) {
         double x[3];
         for (int k = 0; k < 3; ++k)
             x[k] = mesh_.point(s)[k] + (side == 1 ? share : -share) * reach * normal_[k];
-        if (fill_from(mesh_.add_point(x), side, s)) return true;
+        const std::size_t before = added_.size();
+        const std::uint32_t z = mesh_.add_point(x);
+        if (fill_from(z, side, s)) {
+            if (centers_) center_new_point(mesh_, z, added_, before, center_);
+            return true;
+        }
         mesh_.undo(state);
     }
     return false;

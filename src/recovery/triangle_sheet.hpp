@@ -4,6 +4,7 @@
 #pragma once
 
 #include "recovery/edge_ring.hpp"
+#include "recovery/plane_center.hpp"
 #include "recovery/triangle_walk.hpp"
 
 namespace mgdt {
@@ -25,6 +26,7 @@ class TriangleSheet {
           polygon_(allocator),
           best_(allocator),
           stack_(allocator),
+          center_(allocator),
           added_(allocator) {}
 
     // Makes the triangle a face. `walk` has the edges that cross it. Returns false, and leaves the
@@ -47,6 +49,7 @@ class TriangleSheet {
 
     FlipMesh& mesh_;
     std::uint32_t corner_[3] = {};
+    bool centers_ = true;    // whether new points are moved to the middle of what they fill
     double normal_[3] = {};  // of the triangle, with length 1
     EdgeRing ring_;
     Buffer<std::uint32_t> inner_;    // the vertices of the sheet, besides the corners
@@ -61,6 +64,7 @@ class TriangleSheet {
     };
     Buffer<Part> best_;
     Buffer<std::uint32_t> stack_;
+    PlaneCenter center_;
     Buffer<FlipMesh::Corners> added_;
 };
 

@@ -50,13 +50,21 @@ bool Withdrawal::run(std::uint32_t u, std::uint32_t s, std::uint32_t w) {
 bool Withdrawal::fill_sectors() {
     const std::size_t state = mesh_.state();
     for (double share = 0.5; share > 1e-14; share *= 0.2) {
-        if (fill(share) && mesh_.replace(star_, added_)) {
+        if (fill(share)) {
+            if (centers_) center_points();
+            if (!mesh_.replace(star_, added_)) return false;
             mesh_.hints[s_] = no_tetrahedron;
             return true;
         }
         mesh_.undo(state);
     }
     return false;
+}
+
+// Moves the new points away from the walls, one after the other.
+void Withdrawal::center_points() {
+    for (const std::uint32_t z : points_)
+        if (z != no_index) center_new_point(mesh_, z, added_, 0, center_);
 }
 
 void Withdrawal::collect_star() {

@@ -2,7 +2,7 @@
 // Takes a vertex out of a chain of two edges, so that its ends are joined by an edge.
 #pragma once
 
-#include "recovery/flip_mesh.hpp"
+#include "recovery/plane_center.hpp"
 
 namespace mgdt {
 
@@ -23,7 +23,12 @@ class Withdrawal {
           paths_(allocator),
           stack_(allocator),
           points_(allocator),
+          center_(allocator),
           added_(allocator) {}
+
+    // Whether new points are moved away from s, to the middle of what they fill. That makes better
+    // tetrahedra, but may leave less room for the next vertex of a chain.
+    void set_centers(bool centers) noexcept { centers_ = centers; }
 
     // Removes s and joins u and w. Returns false, and leaves the mesh changed, if doubles do not
     // suffice.
@@ -51,6 +56,7 @@ class Withdrawal {
     bool is_simple(std::size_t sector) const noexcept;
     double angle_of_point(std::size_t sector) const noexcept;
     bool fill_sectors();
+    void center_points();
     bool fill(double share);
     void place_points(double share);
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -59,12 +65,14 @@ class Withdrawal {
 
     FlipMesh& mesh_;
     std::uint32_t u_ = 0, s_ = 0, w_ = 0;
+    bool centers_ = true;
     double axis_[3], across_[3], up_[3];  // the direction from u to w, and two at right angles
     Buffer<std::uint32_t> star_;          // the tetrahedra at s
     Buffer<std::uint32_t> sector_of_;     // of each of them
     Buffer<Border> borders_;
     Buffer<std::uint32_t> paths_, stack_;
     Buffer<std::uint32_t> points_;  // of each sector, or no_index if it is one tetrahedron
+    PlaneCenter center_;
     Buffer<FlipMesh::Corners> added_;
 };
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "recovery/plane_center.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/tetrahedron.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+
+void PlaneCenter::add(const double* a, const double* b, const double* c) {
+    Plane plane;
+    double e[2][3], size = 0;
+    for (int k = 0; k < 3; ++k) {
+        e[0][k] = b[k] - a[k];
+        e[1][k] = c[k] - a[k];
+        plane.origin[k] = a[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        plane.normal[k] = e[0][l] * e[1][m] - e[0][m] * e[1][l];
+        size += plane.normal[k] * plane.normal[k];
+    }
+    for (double& n : plane.normal) n /= std::sqrt(size);
+    planes_.push_back(plane);
+}
+
+double PlaneCenter::distance(const Plane& plane, const double (&x)[3]) const noexcept {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += plane.normal[k] * (x[k] - plane.origin[k]);
+    return sum;
+}
+
+bool PlaneCenter::is_inside(const double (&x)[3]) const noexcept {
+    return std::all_of(planes_.begin(), planes_.end(),
+                       [&](const Plane& plane) { return distance(plane, x) > 0; });
+}
+
+// Newton's step for the sum of the logarithms of the distances. Returns false if there is none.
+bool PlaneCenter::find_step(const double (&x)[3], double (&step)[3]) const {
+    double g[3] = {0, 0, 0}, h[3][3] = {};
+    for (const Plane& plane : planes_) {
+        const double d = distance(plane, x);
+        for (int i = 0; i < 3; ++i) {
+            g[i] += plane.normal[i] / d;
+            for (int k = 0; k < 3; ++k) h[i][k] += plane.normal[i] / d * (plane.normal[k] / d);
+        }
+    }
+    // Cramer's rule, by cofactors.
+    double inverse[3][3], det = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3, c = (k + 1) % 3, d = (k + 2) % 3;
+            inverse[k][i] = h[a][c] * h[b][d] - h[a][d] * h[b][c];
+        }
+    for (int k = 0; k < 3; ++k) det += h[0][k] * inverse[k][0];
+    if (!(det > 0) || !std::isfinite(det)) return false;
+    for (int i = 0; i < 3; ++i) {
+        step[i] = 0;
+        for (int k = 0; k < 3; ++k) step[i] += inverse[i][k] / det * g[k];
+        if (!std::isfinite(step[i])) return false;
+    }
+    return true;
+}
+
+void PlaneCenter::approach(double (&x)[3]) const {
+    constexpr int most_steps = 40, most_halvings = 10;
+    if (!is_inside(x)) return;
+    for (int i = 0; i < most_steps; ++i) {
+        double step[3];
+        if (!find_step(x, step)) return;
+        bool is_found = false;
+        double share = 1, moved[3];
+        for (int k = 0; k < most_halvings && !is_found; ++k, share *= 0.5) {
+            for (int c = 0; c < 3; ++c) moved[c] = x[c] + share * step[c];
+            is_found = is_inside(moved);
+        }
+        if (!is_found) return;
+        std::copy_n(moved, 3, x);
+    }
+}
+
+void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+                      std::size_t first, PlaneCenter& center) {
+    center.clear();
+    for (std::size_t i = first; i < tetrahedra.size(); ++i) {
+        const std::uint32_t* const t = tetrahedra[i].v;
+        const auto at = static_cast<unsigned>(std::find(t, t + 4, v) - t);
+        if (at == 4) continue;
+        // (a, b, c, v) is positive if the tetrahedron is.
+        const unsigned char* const f = outer_face[at];
+        center.add(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]));
+    }
+    double x[3], before[3];
+    std::copy_n(mesh.point(v), 3, before);
+    std::copy_n(before, 3, x);
+    center.approach(x);
+    mesh.move_point(v, x);
+    for (std::size_t i = first; i < tetrahedra.size(); ++i) {
+        const std::uint32_t* const t = tetrahedra[i].v;
+        if (orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) > 0)
+            continue;
+        mesh.move_point(v, before);
+        return;
+    }
+}
+
+}  // namespace mgdt
