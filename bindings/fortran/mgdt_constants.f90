@@ -354,8 +354,15 @@ module mgdt_constants
     ! 1 if the mesh is the constrained Delaunay triangulation of its points, as mgdt_domain_build()
     ! has made it. Since 1.4.
     integer, parameter :: mgdt_mesh_stat_is_delaunay = 122
+    ! 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
+    ! it with the domain. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_is_of_domain = 123
+    ! 1 if the domain's boundary is kept in such a mesh: each triangle of a facet is one face, and
+    ! no Steiner point is on a facet or on a segment (MGDT_DOMAIN_OPTION_KEEP_BOUNDARY). Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_keeps_boundary = 124
     ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
-    ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
+    ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely. 0
+    ! if points are not rounded, because the boundary is kept.
     integer, parameter :: mgdt_mesh_stat_grid_bits = 121
     ! Points that were set and are neither a corner of a tetrahedron nor equal to one.
     integer, parameter :: mgdt_mesh_stat_unused_points = 130
@@ -472,6 +479,10 @@ module mgdt_constants
     ! 1 to refuse a mesh that leaves out a part of what was set; 0 (default) to count what is left
     ! out (MGDT_MESH_STAT_UNUSED_POINTS and the statistics after it).
     integer, parameter :: mgdt_domain_option_strict = 50
+    ! 1 to keep the boundary as it is: each triangle of a facet is one face, each segment and each
+    ! edge of a facet one edge, with the caller's coordinates, and Steiner points are inside of the
+    ! domain only. 0 (default) to divide segments where that is necessary. Since 1.4.
+    integer, parameter :: mgdt_domain_option_keep_boundary = 60
 
     ! Numbers.
     ! Points that were set.

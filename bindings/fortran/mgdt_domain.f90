@@ -24,7 +24,7 @@ module mgdt_domain
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
               mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &
-              mgdt_domain_option_strict
+              mgdt_domain_option_strict, mgdt_domain_option_keep_boundary
     public :: mgdt_domain_stat_points, mgdt_domain_stat_facets, mgdt_domain_stat_segments, &
               mgdt_domain_stat_regions, mgdt_domain_stat_holes, mgdt_domain_stat_memory_bytes, &
               mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
@@ -36,7 +36,8 @@ module mgdt_domain
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
               mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
               mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, &
-              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_grid_bits, &
+              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_is_of_domain, &
+              mgdt_mesh_stat_keeps_boundary, mgdt_mesh_stat_grid_bits, &
               mgdt_mesh_stat_unused_points, mgdt_mesh_stat_unused_faces, &
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &

@@ -28,7 +28,8 @@ module mgdt_mesh
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
               mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
               mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, &
-              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_grid_bits, &
+              mgdt_mesh_stat_is_delaunay, mgdt_mesh_stat_is_of_domain, &
+              mgdt_mesh_stat_keeps_boundary, mgdt_mesh_stat_grid_bits, &
               mgdt_mesh_stat_unused_points, mgdt_mesh_stat_unused_faces, &
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &

@@ -5,7 +5,7 @@
 % What mgdt_domain_mesh and mgdt_offending_pairs take, in the order of mgdt_mex. For these two alone.
 function [given_values, progress, check] = mgdt_domain_arguments (points, facets, varargin)
   given = struct ("markers", [], "segments", [], "segment_markers", [], "holes", [], "regions", [], ...
-                  "rounded", false, "strict", false, "threads", 1, "memory_limit", 0, "progress", [], ...
+                  "rounded", false, "strict", false, "keep_boundary", false, "threads", 1, "memory_limit", 0, "progress", [], ...
                   "check", false);
   if (mod (numel (varargin), 2) != 0)
     error ("mgdt:invalid_argument", "mgdt: a setting has no value");
@@ -35,7 +35,7 @@ function [given_values, progress, check] = mgdt_domain_arguments (points, facets
   regions = reshape (double (given.regions), [], 4);
   given_values = {double(points), offsets, corners, double(given.markers(:)), double(vec (given.segments')), ...
                double(given.segment_markers(:)), double(given.holes), regions(:,1:3), regions(:,4), ...
-               double(given.rounded), double(given.strict), given.threads, given.memory_limit};
+               double(given.rounded), double(given.strict), double(given.keep_boundary), given.threads, given.memory_limit};
   progress = given.progress;
   check = given.check;
 end

@@ -19,6 +19,7 @@
 % "regions"          r x 4, a place and the marker of the region around it
 % "rounded"          true for points that are rounded, so that facets are covered exactly
 % "strict"           true to refuse a mesh that leaves out points, facets, regions or holes
+% "keep_boundary"    true to put points inside only: each triangle of a facet is one face
 % "threads"          0 for all cores
 % "memory_limit"     bytes, 0 for none
 % "progress"         a function that hears of the fraction done; true cancels

@@ -68,15 +68,16 @@ static const double* places(const mxArray* a, const char* what, int64_t* n) {
 
 /* The arguments: points, offsets, corners, markers, ends of segments, markers of segments, holes,
  * places of regions, their markers, whether points are rounded, whether nothing may be left out,
- * threads and the memory limit. All are read before a domain is made. */
-enum { domain_arguments = 13 };
+ * whether the boundary is kept, threads and the memory limit. All are read before a domain is made.
+ */
+enum { domain_arguments = 14 };
 
 static void make_domain(int count, const mxArray* const* given) {
     int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions;
     const double *xyz, *holes, *regions;
     const int64_t *offsets, *corners, *ends;
     const int32_t *of_facets, *of_segments, *of_regions;
-    int32_t rounded, strict, threads;
+    int32_t rounded, strict, kept, threads;
     int64_t limit;
     if (count < domain_arguments) bad_argument("a domain needs more arguments");
     if (domain_is_busy)
@@ -94,14 +95,16 @@ static void make_domain(int count, const mxArray* const* given) {
     of_regions = markers(given[8], "the markers of regions", n_regions);
     rounded = small(given[9], "rounded");
     strict = small(given[10], "strict");
-    threads = small(given[11], "threads");
-    limit = integer(given[12], "memory_limit", 9e15);
+    kept = small(given[11], "keep_boundary");
+    threads = small(given[12], "threads");
+    limit = integer(given[13], "memory_limit", 9e15);
 
     close_domain();
     if (mgdt.domain_create(&domain) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_INDEX_BASE, 1));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_ROUND_POINTS, rounded));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_STRICT, strict));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, kept));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_THREADS, threads));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_MEMORY_LIMIT, limit));
     ensure_domain(mgdt.domain_set_points(domain, n, xyz));

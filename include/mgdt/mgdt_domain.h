@@ -50,7 +50,11 @@ enum {
     MGDT_DOMAIN_OPTION_ROUND_POINTS = 40,
     /** 1 to refuse a mesh that leaves out a part of what was set; 0 (default) to count what is left
      *  out (MGDT_MESH_STAT_UNUSED_POINTS and the statistics after it). */
-    MGDT_DOMAIN_OPTION_STRICT = 50
+    MGDT_DOMAIN_OPTION_STRICT = 50,
+    /** 1 to keep the boundary as it is: each triangle of a facet is one face, each segment and each
+     *  edge of a facet one edge, with the caller's coordinates, and Steiner points are inside of
+     *  the domain only. 0 (default) to divide segments where that is necessary. Since 1.4. */
+    MGDT_DOMAIN_OPTION_KEEP_BOUNDARY = 60
 };
 
 /** Keys of mgdt_domain_get_stat(). */
@@ -231,7 +235,8 @@ MGDT_API mgdt_status mgdt_domain_validate(mgdt_domain* d);
  *  MGDT_ERR_OPEN_BOUNDARY (the facets enclose nothing; the message names an edge where they are
  *  open, and MGDT_DOMAIN_ARRAY_OPEN_EDGES has all), MGDT_ERR_RESOLUTION (points or facets are
  *  nearer to each other than the grid to which points are rounded, or an edge would have to be
- *  divided more finely than doubles can), MGDT_ERR_INVALID_ARGUMENT (with
+ *  divided more finely than doubles can, or the boundary cannot be kept; the message names an
+ *  edge), MGDT_ERR_INVALID_ARGUMENT (with
  *  MGDT_DOMAIN_OPTION_STRICT: what the mesh leaves out), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */

@@ -105,9 +105,16 @@ enum {
     /** 1 if the mesh is the constrained Delaunay triangulation of its points, as
      *  mgdt_domain_build() has made it. Since 1.4. */
     MGDT_MESH_STAT_IS_DELAUNAY = 122,
+    /** 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
+     *  it with the domain. Since 1.4. */
+    MGDT_MESH_STAT_IS_OF_DOMAIN = 123,
+    /** 1 if the domain's boundary is kept in such a mesh: each triangle of a facet is one face, and
+     *  no Steiner point is on a facet or on a segment (MGDT_DOMAIN_OPTION_KEEP_BOUNDARY). Since
+     *  1.4. */
+    MGDT_MESH_STAT_KEEPS_BOUNDARY = 124,
     /** Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
      *  surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
-     */
+     *  0 if points are not rounded, because the boundary is kept. */
     MGDT_MESH_STAT_GRID_BITS = 121,
     /** Points that were set and are neither a corner of a tetrahedron nor equal to one. */
     MGDT_MESH_STAT_UNUSED_POINTS = 130,

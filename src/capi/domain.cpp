@@ -83,7 +83,8 @@ Buffer<DomainInput::Place> places(Domain& d, std::int64_t n, const double* xyz,
 
 const OwnOptions<DomainSettings> domain_options = {
     {MGDT_DOMAIN_OPTION_ROUND_POINTS, &DomainSettings::rounds_points},
-    {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict}};
+    {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict},
+    {MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, &DomainSettings::keeps_boundary}};
 
 namespace of_domain {
 

@@ -230,6 +230,45 @@ static void losses(void) {
     mgdt_domain_destroy(d);
 }
 
+/* With a kept boundary every side of the cube is two faces, and each triangle of a bent prism one,
+ * which needs a point inside. */
+static void kept_boundary(void) {
+    const double prism[18] = {1,     0,    0, -0.5, 0.866, 0, -0.5,   -0.866, 0,
+                              0.866, -0.5, 2, 0,    1,     2, -0.866, -0.5,   2};
+    const int64_t triangles[24] = {0, 2, 1, 3, 4, 5, 0, 1, 3, 1, 4, 3,
+                                   1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5};
+    int64_t value = -1, i, n;
+    int64_t* edges;
+    double* xyz;
+    mgdt_domain* d = NULL;
+    mgdt_mesh* m = NULL;
+    CHECK_EQUAL(mgdt_domain_create(&d), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_get_option(d, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, &value), MGDT_OK);
+    CHECK_EQUAL(value, 0);
+    CHECK_EQUAL(mgdt_domain_set_option(d, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, 2),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_domain_set_option(d, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_set_points(d, 6, prism), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_set_facets(d, 8, NULL, triangles, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_build(d, &m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_check(d, m), MGDT_OK);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_KEEPS_BOUNDARY), 1);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_IS_OF_DOMAIN), 1);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_GRID_BITS), 0);
+    CHECK_EQUAL(mesh_stat(m, MGDT_MESH_STAT_FACES), 8);
+    n = mesh_stat(m, MGDT_MESH_STAT_STEINER_POINTS);
+    CHECK(n >= 1);
+    edges = array_of(m, MGDT_MESH_ARRAY_STEINER_EDGES);
+    for (i = 0; i < 2 * n; ++i) CHECK_EQUAL(edges[i], -1);
+    xyz = points_of(m);
+    CHECK(memcmp(xyz, prism, sizeof prism) == 0);
+    free(xyz);
+    free(edges);
+    mgdt_mesh_destroy(m);
+    mgdt_domain_destroy(d);
+}
+
 /* A mesh holds its memory itself: the domain's memory is the same with it and without it. */
 static void memory_of_a_mesh(void) {
     const double places[12] = {9, 9, 9, 2, 2, 2, 2, 2, 2, 9, 9, 9};
@@ -256,5 +295,6 @@ void test_domain(void) {
     offending_pairs();
     nothing();
     losses();
+    kept_boundary();
     memory_of_a_mesh();
 }

@@ -5,6 +5,7 @@
 Usage: mesh_commands_test.py MGDT [unittest arguments]
 """
 
+import math
 import os
 import struct
 import sys
@@ -425,6 +426,20 @@ class Meshes(CliTest):
         from_array = self.get("m.vtu")
         self.assertIn(struct.pack("<i", -5) * 8, from_array)
         self.assertIn(struct.pack("<i", 7) * 5, from_array)
+
+    def test_kept_surface(self):
+        # A prism whose sides bend inwards (Schoenhardt's polyhedron) needs a point inside.
+        points = [(math.cos(t + z / 2), math.sin(t + z / 2), -2 * z)
+                  for z in (0, -1) for t in (0, 2 * math.pi / 3, 4 * math.pi / 3)]
+        facets = [(0, 2, 1), (3, 4, 5)]
+        for i in range(3):
+            k = (i + 1) % 3
+            facets += [(i, k, 3 + i), (k, 3 + k, 3 + i)]
+        self.put("s.off", off(points, facets))
+        self.mgdt("mesh", "s.off", "-o", "m.ele", "--keep-surface", "--check")
+        self.assertEqual(self.get("m.node").split()[0], b"7")
+        rows = self.get("m.face").split(b"\n")
+        self.assertEqual(rows[0].split()[0], b"8")
 
     def test_what_is_left_out(self):
         inner = [tuple(0.5 + x / 2 for x in p) for p in CUBE]

@@ -567,6 +567,9 @@ test("a domain", function()
     equal(mesh.tetrahedron_count, 1, "tetrahedra")
     equal(mesh.tetrahedra[0][0] + mesh.tetrahedra[0][1] + mesh.tetrahedra[0][2] + mesh.tetrahedra[0][3], 10, "from 1")
     equal(mesh.neighbors[0][3], 0, "none")
+    mesh = mgdt.domain_mesh { points = corners, facets = triangles, index_base = 1, keep_boundary = true }
+    equal(mesh.tetrahedron_count, 1, "tetrahedra of a kept boundary")
+    assert(mesh:check())
     refused("open_boundary", { "no facets" }, mgdt.domain_mesh, { points = {}, facets = {} })
     refused("invalid_argument", { "hole 1 is in nothing" }, mgdt.domain_mesh,
         { points = corners, facets = triangles, index_base = 1, holes = { { 5, 5, 5 } }, strict = true })

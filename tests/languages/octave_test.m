@@ -245,6 +245,9 @@ function domain (folder)
   assert (sort (one.tetrahedra), 1:4);
   assert (one.neighbours, [0 0 0 0]);
   assert (! one.is_rounded);
+  kept = mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], [1 3 2; 1 2 4; 2 3 4; 3 1 4], ...
+                           "keep_boundary", true, "check", true);
+  assert (sort (kept.tetrahedra), 1:4);
   refused ("mgdt:open_boundary", {"no facets"}, @() mgdt_domain_mesh ([], []));
   refused ("mgdt:invalid_argument", {"hole 1 is in nothing"}, @() mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], ...
            [1 3 2; 1 2 4; 2 3 4; 3 1 4], "holes", [5 5 5], "strict", true));

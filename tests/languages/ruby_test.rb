@@ -142,6 +142,10 @@ class MgdtTest < Minitest::Test
                                [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]], index_base: 1)
     assert_equal [[1, 2, 3, 4]], one.tetrahedra.map(&:sort)
     assert_equal [[nil] * 4], one.neighbors
+    kept = Mgdt::DomainMesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                                [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], keep_boundary: true)
+    kept.check
+    assert_equal [[0, 1, 2, 3]], kept.tetrahedra.map(&:sort)
     refused(Mgdt::OpenBoundary, "no facets") { Mgdt::DomainMesh.new([], []) }
     refused(Mgdt::InvalidArgument, "hole 0 is in nothing") do
       Mgdt::DomainMesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],

@@ -95,6 +95,12 @@ class DomainMesh(unittest.TestCase):
 
         self.assertEqual(mesh.point_origins.tolist(), [*range(6), *[-1] * (mesh.npoints - 6)])
 
+        kept = mgdt.DomainMesh(points, facets, keep_boundary=True)
+        kept.check()
+        self.assertEqual((kept.npoints, len(kept.faces)), (7, 8))
+        self.assertEqual(kept.steiner_edges.tolist(), [[-1, -1]])
+        self.assertTrue((kept.points[:6] == points).all())
+
     def test_measures(self) -> None:
         mesh = mgdt.DomainMesh(CUBE, SIDES, markers=range(6), regions=[((0.5, 0.25, 0.125), 7)])
         self.assertTrue(np.allclose(mesh.tetrahedron_measures("volume"), volumes(mesh)))

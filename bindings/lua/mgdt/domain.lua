@@ -69,7 +69,7 @@ local function places_of(places, what)
 end
 
 local known = { points = true, facets = true, markers = true, segments = true, segment_markers = true,
-    holes = true, regions = true, rounded = true, strict = true, threads = true, memory_limit = true, index_base = true,
+    holes = true, regions = true, rounded = true, strict = true, keep_boundary = true, threads = true, memory_limit = true, index_base = true,
     progress = true }
 
 -- A handle with everything that the caller has given.
@@ -88,6 +88,7 @@ local function domain_of(given)
     of_domain.set_option(handle, "memory_limit", whole(given.memory_limit or 0, "memory_limit"))
     of_domain.set_option(handle, "round_points", given.rounded and 1 or 0)
     of_domain.set_option(handle, "strict", given.strict and 1 or 0)
+    of_domain.set_option(handle, "keep_boundary", given.keep_boundary and 1 or 0)
 
     local xyz, count = rows_of(given.points, nil, "points", 3, "points")
     ensure(handle, C.mgdt_domain_set_points(handle, count, xyz))
@@ -137,7 +138,7 @@ local domain = {}
 
 --- The mesh of a domain, from a table with points (as for insert()) and facets, lists of corners.
 --- Optional: markers of facets, segments {a, b}, segment_markers, holes {x, y, z}, regions
---- {{x, y, z}, marker}, rounded, strict (nothing may be left out), threads, memory_limit, index_base (0), and progress, a function as for
+--- {{x, y, z}, marker}, rounded, strict (nothing may be left out), keep_boundary (Steiner points are inside only), threads, memory_limit, index_base (0), and progress, a function as for
 --- set_progress().
 ---
 --- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, edges, steiner_edges and

@@ -35,7 +35,7 @@ function Mesh:check()
     local value = C.mgdt_mesh_check(self.handle)
     if value == status.check_failed then return nil, of_mesh.message_of(self.handle, value) end
     ensure(self.handle, value)
-    if self.compare and of_mesh.statistic(self.handle, "is_delaunay") == 1 then return self.compare(self) end
+    if self.compare and of_mesh.statistic(self.handle, "is_of_domain") == 1 then return self.compare(self) end
     return true
 end
 

@@ -397,6 +397,8 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "memory_bytes": 110,
         "is_rounded": 120,
         "is_delaunay": 122,
+        "is_of_domain": 123,
+        "keeps_boundary": 124,
         "grid_bits": 121,
         "unused_points": 130,
         "unused_faces": 131,
@@ -450,6 +452,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "memory_limit": 30,
         "round_points": 40,
         "strict": 50,
+        "keep_boundary": 60,
     },
     "domain_stat": {
         "points": 100,

@@ -214,6 +214,8 @@ class DomainMesh(Mesh):
         facets are covered exactly by what is returned
     strict : whether a mesh that leaves out points, facets, regions or holes is refused; otherwise the
         attributes ``unused_points`` and so on count them
+    keep_boundary : whether each triangle of a facet is one face and each segment one edge, with Steiner
+        points inside only. Since 1.4
     threads : 0 for all cores
     memory_limit : bytes, 0 for none
     progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
@@ -286,6 +288,7 @@ class DomainMesh(Mesh):
         regions: Sequence[tuple[ArrayLike, int]] = (),
         rounded: bool = False,
         strict: bool = False,
+        keep_boundary: bool = False,
         threads: int = 1,
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
@@ -301,6 +304,7 @@ class DomainMesh(Mesh):
                 "regions": regions,
                 "rounded": rounded,
                 "strict": strict,
+                "keep_boundary": keep_boundary,
                 "threads": threads,
                 "memory_limit": memory_limit,
             }
@@ -310,6 +314,7 @@ class DomainMesh(Mesh):
         handle.set_option("memory_limit", memory_limit)
         handle.set_option("round_points", int(rounded))
         handle.set_option("strict", int(strict))
+        handle.set_option("keep_boundary", int(keep_boundary))
         handle.set(points, facets, markers, segments, segment_markers)
         handle.set_places(holes, regions)
         # A small surface may need many points.
@@ -320,7 +325,7 @@ class DomainMesh(Mesh):
     def _prove(self) -> None:
         super()._prove()
         # What has been improved is no longer the mesh of the domain alone.
-        if self._mesh.statistic("is_delaunay"):
+        if self._mesh.statistic("is_of_domain"):
             self._domain.call("check", self._mesh.pointer)
 
     _keep_at_first = "all"

@@ -170,7 +170,8 @@ enum class DomainOption : std::int32_t {
     threads = MGDT_DOMAIN_OPTION_THREADS,
     memory_limit = MGDT_DOMAIN_OPTION_MEMORY_LIMIT,
     round_points = MGDT_DOMAIN_OPTION_ROUND_POINTS,
-    strict = MGDT_DOMAIN_OPTION_STRICT
+    strict = MGDT_DOMAIN_OPTION_STRICT,
+    keep_boundary = MGDT_DOMAIN_OPTION_KEEP_BOUNDARY /**< @since 1.4 */
 };
 
 /** Statistics of a domain; see MGDT_DOMAIN_STAT_POINTS and its neighbours. @since 1.3 */
@@ -214,7 +215,9 @@ enum class MeshStatistic : std::int32_t {
     edges = MGDT_MESH_STAT_EDGES,
     memory_bytes = MGDT_MESH_STAT_MEMORY_BYTES,
     is_rounded = MGDT_MESH_STAT_IS_ROUNDED,
-    is_delaunay = MGDT_MESH_STAT_IS_DELAUNAY, /**< @since 1.4 */
+    is_delaunay = MGDT_MESH_STAT_IS_DELAUNAY,
+    is_of_domain = MGDT_MESH_STAT_IS_OF_DOMAIN,     /**< @since 1.4 */
+    keeps_boundary = MGDT_MESH_STAT_KEEPS_BOUNDARY, /**< @since 1.4 */
     grid_bits = MGDT_MESH_STAT_GRID_BITS,
     unused_points = MGDT_MESH_STAT_UNUSED_POINTS,
     unused_faces = MGDT_MESH_STAT_UNUSED_FACES,

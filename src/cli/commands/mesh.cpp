@@ -25,10 +25,11 @@ struct MeshOptions {
     std::vector<double> holes;    // three numbers for each
     std::vector<double> regions;  // three numbers and the marker for each
     bool check = false;
-    bool rounded = false;     // write rounded points, which facets cover exactly
-    bool strict = false;      // refuse a mesh that leaves out a part of the input
-    bool all_points = false;  // also write points that are in no tetrahedron
-    bool improve = false;     // improve the tetrahedra before they are written
+    bool rounded = false;        // write rounded points, which facets cover exactly
+    bool keeps_surface = false;  // add points inside only
+    bool strict = false;         // refuse a mesh that leaves out a part of the input
+    bool all_points = false;     // also write points that are in no tetrahedron
+    bool improve = false;        // improve the tetrahedra before they are written
     ImproveOptions improvement;
     int threads = 1;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
@@ -82,6 +83,7 @@ mgdt::Mesh build(Domain& domain, const std::string& name, const MeshOptions& opt
     try {
         if (options.rounded) domain.set_option(DomainOption::round_points, 1);
         if (options.strict) domain.set_option(DomainOption::strict, 1);
+        if (options.keeps_surface) domain.set_option(DomainOption::keep_boundary, 1);
         mgdt::Mesh mesh = domain.build();
         domain.clear_progress();
         if (options.check) check(domain, mesh, name);
@@ -177,6 +179,8 @@ const Command mesh_command = {
                      "covered exactly");
         app.add_flag("--strict", options->strict,
                      "Refuse a mesh that leaves out facets, points, regions or holes");
+        app.add_flag("--keep-surface", options->keeps_surface,
+                     "Keep every facet and every segment as it is, and add points inside only");
         app.add_flag("--all-points", options->all_points,
                      "Also write points that are in no tetrahedron");
         add_limits(app, options->threads, options->memory_limit);

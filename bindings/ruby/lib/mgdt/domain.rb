@@ -17,7 +17,8 @@ module Mgdt
     # Points as for Triangulation#insert; facets as Arrays of corners. Further arguments, all optional:
     # markers of facets; segments, [a, b] each, and segment_markers; holes, [x, y, z] each; regions,
     # [[x, y, z], marker] each; rounded: true for points that are rounded, so that facets are covered
-    # exactly; strict: true to refuse a mesh that leaves something out; threads; memory_limit; index_base, 0. A block hears of progress as that of
+    # exactly; strict: true to refuse a mesh that leaves something out; keep_boundary: true to put points
+    # inside only; threads; memory_limit; index_base, 0. A block hears of progress as that of
     # Triangulation#insert does.
     #
     # If facets, segments or points cross or touch where they must not, InvalidBoundary has all pairs.
@@ -33,7 +34,7 @@ module Mgdt
     def prove
       super
       # What has been improved is no longer the mesh of the domain alone.
-      @domain.reader.call(:check, @handle) if @mesh.statistic(:is_delaunay) == 1
+      @domain.reader.call(:check, @handle) if @mesh.statistic(:is_of_domain) == 1
     end
   end
 
@@ -57,7 +58,7 @@ module Mgdt
     end
 
     def initialize(points, facets, markers: nil, segments: [], segment_markers: nil, holes: [], regions: [],
-                   rounded: false, strict: false, threads: 1, memory_limit: 0, index_base: 0)
+                   rounded: false, strict: false, keep_boundary: false, threads: 1, memory_limit: 0, index_base: 0)
       out = FFI::MemoryPointer.new(:pointer)
       status = Library.mgdt_domain_create(out)
       raise Error.of(status, Library.mgdt_status_string(status)) unless status.zero?
@@ -66,7 +67,7 @@ module Mgdt
       @reader = ArrayReader.new(:domain, @handle)
       @index_base = whole(index_base, "index_base")
       { index_base: index_base, threads: threads, memory_limit: memory_limit,
-        round_points: rounded ? 1 : 0, strict: strict ? 1 : 0 }.each do |name, value|
+        round_points: rounded ? 1 : 0, strict: strict ? 1 : 0, keep_boundary: keep_boundary ? 1 : 0 }.each do |name, value|
         @reader.call(:set_option, CONSTANTS[:domain_option].fetch(name), whole(value, name))
       end
       given = Points.new(points)

@@ -149,6 +149,12 @@ impl Domain {
         self.set_option(sys::MGDT_DOMAIN_OPTION_STRICT, i64::from(on))
     }
 
+    /// Whether each triangle of a facet is one face and each segment one edge, with Steiner points
+    /// inside of the domain only.
+    pub fn set_keep_boundary(&mut self, on: bool) -> Result<(), Error> {
+        self.set_option(sys::MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, i64::from(on))
+    }
+
     /// Sets the points. Facets and segments that were set before are removed.
     pub fn set_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         let status = unsafe {

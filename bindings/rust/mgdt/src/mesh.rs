@@ -430,6 +430,12 @@ impl Mesh {
         self.stat(sys::MGDT_MESH_STAT_IS_ROUNDED) == Ok(1)
     }
 
+    /// Whether each triangle of the domain's facets is one face, and Steiner points are inside
+    /// only. Since 1.4.
+    pub fn keeps_boundary(&self) -> bool {
+        self.stat(sys::MGDT_MESH_STAT_KEEPS_BOUNDARY) == Ok(1)
+    }
+
     /// An array of integers.
     pub fn array(&self, array: MeshArray) -> Result<Vec<i64>, Error> {
         self.integers(array as i32)

@@ -196,6 +196,10 @@ fn a_domain() {
     // A facet in the hole bounds nothing.
     assert!(m.statistic(Statistic::UnusedFaces) > 0);
     assert_eq!(m.statistic(Statistic::UnusedHoles), 0);
+    d.set_keep_boundary(true).unwrap();
+    let kept = d.build().unwrap();
+    assert!(kept.keeps_boundary());
+    d.set_keep_boundary(false).unwrap();
     d.set_strict(true).unwrap();
     assert_eq!(
         d.build().unwrap_err().kind(),
