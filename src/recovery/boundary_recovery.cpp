@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "recovery/point_removal.hpp"
+
 namespace mgdt {
 
 BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
@@ -10,6 +12,7 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
     : mesh_(mesh),
       input_(input),
       stop_(stop),
+      first_added_(static_cast<std::uint32_t>(mesh.point_count())),
       kept_(allocator),
       flips_(mesh, kept_, allocator),
       walk_(mesh, allocator),
@@ -59,9 +62,12 @@ bool BoundaryRecovery::run() {
         std::swap(missing_, left_);
         counts.missing_triangles[depth] = missing_.size();
     }
-    if (!missing_.empty())
+    if (!missing_.empty()) {
         std::copy_n(input_.triangles.begin() + 3 * std::size_t{missing_[0]}, 2, lost_edge_);
-    return missing_.empty();
+        return false;
+    }
+    PointRemoval(mesh_, flips_, missing_.allocator()).run(first_added_, stop_);
+    return true;
 }
 
 bool BoundaryRecovery::recover_segment(std::uint32_t a, std::uint32_t b, unsigned depth) {

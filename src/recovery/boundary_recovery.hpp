@@ -43,6 +43,7 @@ class BoundaryRecovery {
     FlipMesh& mesh_;
     const RecoveryInput& input_;
     const StopRequest stop_;
+    const std::uint32_t first_added_;
     PairTable kept_;
     Flips flips_;
     CrossingWalk walk_;

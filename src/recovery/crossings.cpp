@@ -4,6 +4,7 @@
 namespace mgdt {
 
 int Crossings::of_edge(std::uint32_t u, std::uint32_t v) const noexcept {
+    if (a_ == no_index) return 0;
     const double *const a = point(a_), *const b = point(b_), *const p = point(u),
                         *const q = point(v);
     if (c_ == no_index) {
@@ -21,7 +22,7 @@ int Crossings::of_edge(std::uint32_t u, std::uint32_t v) const noexcept {
 }
 
 int Crossings::of_face(std::uint32_t u, std::uint32_t v, std::uint32_t w) const noexcept {
-    if (c_ != no_index || is_corner(u) || is_corner(v) || is_corner(w)) return 0;
+    if (a_ == no_index || c_ != no_index || is_corner(u) || is_corner(v) || is_corner(w)) return 0;
     const double *const a = point(a_), *const b = point(b_), *const p = point(u),
                         *const q = point(v), *const r = point(w);
     const int side = orientation(a, b, p, q);

@@ -20,6 +20,11 @@ class Crossings {
         return {mesh, v[0], v[1], v[2]};
     }
 
+    // Nothing is missing, and nothing is crossed.
+    static Crossings of_nothing(const FlipMesh& mesh) noexcept {
+        return {mesh, no_index, no_index, no_index};
+    }
+
     // What the edge that is missing itself counts for: less than nothing, so that it is preferred.
     static constexpr int found = -1000;
 
@@ -37,7 +42,7 @@ class Crossings {
     bool is_corner(std::uint32_t v) const noexcept { return v == a_ || v == b_ || v == c_; }
 
     const FlipMesh& mesh_;
-    std::uint32_t a_, b_, c_;  // c_ is no_index for a segment
+    std::uint32_t a_, b_, c_;  // c_ is no_index for a segment, all are for nothing
 };
 
 }  // namespace mgdt

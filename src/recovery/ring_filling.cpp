@@ -2,26 +2,10 @@
 #include "recovery/ring_filling.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "recovery/flatness.hpp"
 
 namespace mgdt {
-
-// How flat a positive tetrahedron is: the cube of its size over its volume.
-double RingFilling::flatness(std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                             std::uint32_t d) const noexcept {
-    const double* const x[4] = {mesh_.point(a), mesh_.point(b), mesh_.point(c), mesh_.point(d)};
-    double e[3][3], size = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-            e[i][k] = x[i + 1][k] - x[0][k];
-            size += e[i][k] * e[i][k];
-        }
-    const double volume = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
-                          e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
-                          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
-    const double relative = std::fabs(volume) / (size * std::sqrt(size));
-    return relative > 1e-300 ? 1 / relative : 1e300;
-}
 
 RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
                                          const Crossings& crossings) const {
@@ -40,7 +24,8 @@ RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
             continue;
         const int count = least + crossings.of_face(a, b, c);
         const double flat =
-            std::max({one.flatness, other.flatness, flatness(a, b, c, q_), flatness(a, b, c, p_)});
+            std::max({one.flatness, other.flatness, flatness_of(pa, pb, pc, mesh_.point(q_)),
+                      flatness_of(pa, pb, pc, mesh_.point(p_))});
         if (best.middle == no_index || count < best.crossings ||
             (count == best.crossings && flat < best.flatness))
             best = {count, flat, static_cast<std::uint32_t>(m)};

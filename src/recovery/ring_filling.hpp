@@ -33,8 +33,6 @@ class RingFilling {
         std::uint32_t middle;
     };
     Part best_part(std::size_t i, std::size_t j, const Crossings& crossings) const;
-    double flatness(std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                    std::uint32_t d) const noexcept;
 
     const FlipMesh& mesh_;
     std::uint32_t p_ = 0, q_ = 0;
