@@ -29,7 +29,7 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
 bool BoundaryRecovery::run() {
     missing_.clear();
     for (std::uint32_t i = 0; i < input_.segments.size() / 2; ++i) missing_.push_back(i);
-    static const int seq[] = {-1, 0, 1, 2, 2, 0, 2, 3, 3, 3};
+    static const int seq[] = {-1, 0, 1, 2, 3, 3, 3};
     for (const int step : seq) {
         left_.clear();
         for (const std::uint32_t i : missing_) {
@@ -72,7 +72,7 @@ bool BoundaryRecovery::run() {
 
 bool BoundaryRecovery::recover_segment(std::uint32_t a, std::uint32_t b, unsigned depth) {
     const Crossings crossings = Crossings::of_segment(mesh_, a, b);
-    constexpr std::size_t rings[] = {200, 2000, 4000};
+    constexpr std::size_t rings[] = {200, 1000, 1500};
     flips_.set_budget(rings[depth]);
     mesh_.forget();
     if (flip_segment(a, b, crossings, depth)) return true;
@@ -117,7 +117,7 @@ bool BoundaryRecovery::insert_point(std::uint32_t a, std::uint32_t b, const Cros
     const std::size_t before = tried_.size();
     for (const double share : {1.0, 0.3, 0.08, 0.02})
         for (const Crossing& c : tried_) {
-            flips_.set_budget(400);
+            flips_.set_budget(150);
             const FlipMesh::Tetrahedron t = mesh_.tetrahedra[c.tetrahedron];
             double x[3], on[3];
             find_crossing(mesh_, a, b, c, on);
@@ -159,7 +159,7 @@ bool BoundaryRecovery::reduce_segment(const Crossings& crossings, unsigned depth
 
 bool BoundaryRecovery::recover_triangle(const std::uint32_t (&v)[3], unsigned depth) {
     const Crossings crossings = Crossings::of_triangle(mesh_, v);
-    constexpr std::size_t rings[] = {200, 2000, 4000};
+    constexpr std::size_t rings[] = {200, 1000, 1500};
     flips_.set_budget(rings[depth]);
     for (;;) {
         mesh_.forget();
