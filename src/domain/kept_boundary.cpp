@@ -151,40 +151,54 @@ void write(const CanonicalOrder& order, const Buffer<double>& points, FlipMesh& 
         for (unsigned k = 0; k < 4 && !t.is_dead(); ++k) t.v[k] = number[t.v[k]];
 }
 
+// Makes the Delaunay triangulation of the points.
+void triangulate(const Buffer<double>& points, int threads, Allocator& allocator,
+                 StageProgress& progress, FlipMesh& mesh) {
+    // A triangulation is too large for the stack.
+    Objects<Triangulation> storage(allocator, 1, &Allocator::allocate_from, &Allocator::release_to,
+                                   static_cast<void*>(&allocator));
+    Triangulation& triangulation = storage[0];
+    triangulation.settings().threads = threads;
+    progress.watch(triangulation.settings(), 0, 1, [&] {
+        const double* const axis[3] = {points.begin(), points.begin() + 1, points.begin() + 2};
+        triangulation.insert(points.size() / 3, axis, 3);
+    });
+    Team team(thread_count(triangulation.settings()));
+    copy_tetrahedra(ConstrainedMesh(triangulation, points, allocator), team, allocator, mesh);
+}
+
 }  // namespace
 
 void keep_boundary(const Complex& complex, int threads, Allocator& allocator,
                    StageProgress& progress, KeptBoundary& result) {
+    // A segment may be lost because of those before it, so others are tried first.
+    constexpr RecoveryEffort efforts[] = {{{200, 1000, 1500}, 150, false},
+                                          {{200, 1500, 2000}, 200, true},
+                                          {{200, 2000, 4000}, 400, false},
+                                          {{300, 2500, 5000}, 500, true}};
     const Boundary& boundary = complex.boundary;
     const CanonicalOrder order(boundary.points, allocator);
-    Buffer<double> points(allocator);
-    write_points(boundary.points, order, points);
-    FlipMesh mesh(points, allocator);
-    {
-        // A triangulation is too large for the stack.
-        Objects<Triangulation> storage(allocator, 1, &Allocator::allocate_from,
-                                       &Allocator::release_to, static_cast<void*>(&allocator));
-        Triangulation& triangulation = storage[0];
-        triangulation.settings().threads = threads;
-        progress.enter(0, 0.3);
-        progress.watch(triangulation.settings(), 0, 1, [&] {
-            const double* const axis[3] = {points.begin(), points.begin() + 1, points.begin() + 2};
-            triangulation.insert(points.size() / 3, axis, 3);
-        });
-        Team team(thread_count(triangulation.settings()));
-        copy_tetrahedra(ConstrainedMesh(triangulation, points, allocator), team, allocator, mesh);
-    }
-    progress.enter(0.3, 0.9);
     const RecoveryInput input = make_input(boundary, order, allocator);
-    BoundaryRecovery recovery(mesh, input, progress.stop_request(), allocator);
-    if (!recovery.run()) {
-        for (int k = 0; k < 2; ++k) result.lost_edge[k] = order.vertex(recovery.lost_edge()[k]);
+    for (const RecoveryEffort& effort : efforts) {
+        Buffer<double> points(allocator);
+        write_points(boundary.points, order, points);
+        FlipMesh mesh(points, allocator);
+        progress.enter(0, 0.3);
+        triangulate(points, threads, allocator, progress, mesh);
+        progress.enter(0.3, 0.9);
+        BoundaryRecovery recovery(mesh, input, effort, progress.stop_request(), allocator);
+        if (!recovery.run()) {
+            for (int k = 0; k < 2; ++k) result.lost_edge[k] = order.vertex(recovery.lost_edge()[k]);
+            progress.leave_behind(0.9);
+            continue;
+        }
+        progress.enter(0.9, 1);
+        TriangleWalk walk(mesh, allocator);
+        mark_faces(boundary, order, walk, mesh);
+        write(order, points, mesh, allocator, result);
+        result.lost_edge[0] = result.lost_edge[1] = no_index;
         return;
     }
-    progress.enter(0.9, 1);
-    TriangleWalk walk(mesh, allocator);
-    mark_faces(boundary, order, walk, mesh);
-    write(order, points, mesh, allocator, result);
 }
 
 std::size_t sort_added_points(KeptBoundary& boundary, const Buffer<std::uint32_t>& regions,

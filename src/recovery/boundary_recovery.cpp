@@ -8,9 +8,11 @@
 namespace mgdt {
 
 BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
-                                   const StopRequest& stop, Allocator& allocator)
+                                   const RecoveryEffort& effort, const StopRequest& stop,
+                                   Allocator& allocator)
     : mesh_(mesh),
       input_(input),
+      effort_(effort),
       stop_(stop),
       first_added_(static_cast<std::uint32_t>(mesh.point_count())),
       kept_(allocator),
@@ -29,6 +31,7 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
 bool BoundaryRecovery::run() {
     missing_.clear();
     for (std::uint32_t i = 0; i < input_.segments.size() / 2; ++i) missing_.push_back(i);
+    if (effort_.reverses) std::reverse(missing_.begin(), missing_.end());
     static const int seq[] = {-1, 0, 1, 2, 3, 3, 3};
     for (const int step : seq) {
         left_.clear();
@@ -72,8 +75,7 @@ bool BoundaryRecovery::run() {
 
 bool BoundaryRecovery::recover_segment(std::uint32_t a, std::uint32_t b, unsigned depth) {
     const Crossings crossings = Crossings::of_segment(mesh_, a, b);
-    constexpr std::size_t rings[] = {200, 1000, 1500};
-    flips_.set_budget(rings[depth]);
+    flips_.set_budget(effort_.rings[depth]);
     mesh_.forget();
     if (flip_segment(a, b, crossings, depth)) return true;
     if (!with_points_) return false;
@@ -117,7 +119,7 @@ bool BoundaryRecovery::insert_point(std::uint32_t a, std::uint32_t b, const Cros
     const std::size_t before = tried_.size();
     for (const double share : {1.0, 0.3, 0.08, 0.02})
         for (const Crossing& c : tried_) {
-            flips_.set_budget(150);
+            flips_.set_budget(effort_.rings_of_point);
             const FlipMesh::Tetrahedron t = mesh_.tetrahedra[c.tetrahedron];
             double x[3], on[3];
             find_crossing(mesh_, a, b, c, on);
@@ -159,8 +161,7 @@ bool BoundaryRecovery::reduce_segment(const Crossings& crossings, unsigned depth
 
 bool BoundaryRecovery::recover_triangle(const std::uint32_t (&v)[3], unsigned depth) {
     const Crossings crossings = Crossings::of_triangle(mesh_, v);
-    constexpr std::size_t rings[] = {200, 1000, 1500};
-    flips_.set_budget(rings[depth]);
+    flips_.set_budget(effort_.rings[depth]);
     for (;;) {
         mesh_.forget();
         const TriangleWalk::Result result = over_.run(v);

@@ -17,10 +17,19 @@ struct RecoveryInput {
     Buffer<std::uint32_t> triangles;  // 3 corners for each
 };
 
+// How much is tried before a segment counts as lost: how many rings of edges are looked at in
+// removals of each depth, and after a point has been inserted; and whether segments come in the
+// opposite order.
+struct RecoveryEffort {
+    std::size_t rings[Flips::most_depth + 1];
+    std::size_t rings_of_point;
+    bool reverses;
+};
+
 class BoundaryRecovery {
   public:
-    BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input, const StopRequest& stop,
-                     Allocator& allocator);
+    BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input, const RecoveryEffort& effort,
+                     const StopRequest& stop, Allocator& allocator);
 
     // Returns whether everything was recovered.
     bool run();
@@ -42,6 +51,7 @@ class BoundaryRecovery {
 
     FlipMesh& mesh_;
     const RecoveryInput& input_;
+    const RecoveryEffort effort_;
     const StopRequest stop_;
     const std::uint32_t first_added_;
     PairTable kept_;
