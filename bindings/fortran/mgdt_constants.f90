@@ -351,8 +351,8 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_stat_memory_bytes = 110
     ! 1 if the points that are returned are rounded.
     integer, parameter :: mgdt_mesh_stat_is_rounded = 120
-    ! 1 if the mesh is the constrained Delaunay triangulation of its points, as mgdt_domain_build()
-    ! has made it. Since 1.4.
+    ! 1 if the mesh is the constrained Delaunay triangulation of its points. mgdt_domain_build()
+    ! makes such a mesh, unless one with fewer Steiner points is none. Since 1.4.
     integer, parameter :: mgdt_mesh_stat_is_delaunay = 122
     ! 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
     ! it with the domain. Since 1.4.
@@ -438,8 +438,8 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_array_edge_segments = 241
     ! The marker of this segment, or 0.
     integer, parameter :: mgdt_mesh_array_edge_markers = 242
-    ! For each Steiner point the two points a and b that it is between. Later versions may add
-    ! Steiner points that are between no two points: then a and b are none.
+    ! For each Steiner point the two points a and b that it is between, or none and none for one
+    ! that is inside of the domain.
     integer, parameter :: mgdt_mesh_array_steiner_edges = 250
     ! For each tetrahedron an MGDT_REASON_ value: why mgdt_mesh_improve() has left it below the
     ! goal. Empty before. Since 1.4.
@@ -453,7 +453,8 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_array_tetrahedra_below = 262
     ! Three coordinates of each point: first the points that were set, then the Steiner points.
     integer, parameter :: mgdt_mesh_array_points = 300
-    ! For each Steiner point the number t for which it is a + t (b - a).
+    ! For each Steiner point the number t for which it is a + t (b - a); 0 if it is between no two
+    ! points.
     integer, parameter :: mgdt_mesh_array_steiner_parameters = 310
     ! Three rows of two numbers, before and after mgdt_mesh_improve(): the least and the largest
     ! dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.

@@ -9,13 +9,15 @@
  * itself, and begins with the same index base and number of threads.
  *
  * Every facet of the domain is a union of faces of the mesh, and every segment a union of edges,
- * exactly. Until it is improved, the mesh is the constrained Delaunay triangulation of its points:
- * no point that is visible from inside of a tetrahedron is in its circumsphere. All tetrahedra have
- * a positive volume with the coordinates that are returned, exactly.
+ * exactly. Until it is improved, the mesh has few Steiner points. Where that takes no more of them,
+ * it is the constrained Delaunay triangulation of its points: no point that is visible from inside
+ * of a tetrahedron is in its circumsphere (MGDT_MESH_STAT_IS_DELAUNAY). All tetrahedra have a
+ * positive volume with the coordinates that are returned, exactly.
  *
  * The points are those of the caller, with the indices that they had, and Steiner points. The
  * library computes with coordinates that are rounded once, to multiples of 2^-36 of the largest
- * coordinate or finer, rarely coarser (MGDT_MESH_STAT_GRID_BITS). The caller's coordinates are
+ * coordinate or finer, rarely coarser (MGDT_MESH_STAT_GRID_BITS), unless the boundary is kept as it
+ * is (MGDT_MESH_STAT_KEEPS_BOUNDARY). The caller's coordinates are
  * returned as they were given, bit by bit, if all tetrahedra have a positive volume with them, and
  * otherwise rounded (MGDT_MESH_STAT_IS_ROUNDED); with the rounded ones, Steiner points are on their
  * segments exactly.
@@ -102,8 +104,8 @@ enum {
     MGDT_MESH_STAT_EDGES = 105,        /**< Edges that are parts of segments or of facets' edges. */
     MGDT_MESH_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
     MGDT_MESH_STAT_IS_ROUNDED = 120,   /**< 1 if the points that are returned are rounded. */
-    /** 1 if the mesh is the constrained Delaunay triangulation of its points, as
-     *  mgdt_domain_build() has made it. Since 1.4. */
+    /** 1 if the mesh is the constrained Delaunay triangulation of its points. mgdt_domain_build()
+     *  makes such a mesh, unless one with fewer Steiner points is none. Since 1.4. */
     MGDT_MESH_STAT_IS_DELAUNAY = 122,
     /** 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
      *  it with the domain. Since 1.4. */
@@ -190,8 +192,8 @@ enum {
      *  none. */
     MGDT_MESH_ARRAY_EDGE_SEGMENTS = 241,
     MGDT_MESH_ARRAY_EDGE_MARKERS = 242, /**< The marker of this segment, or 0. */
-    /** For each Steiner point the two points a and b that it is between. Later versions may add
-     *  Steiner points that are between no two points: then a and b are none. */
+    /** For each Steiner point the two points a and b that it is between, or none and none for one
+     *  that is inside of the domain. */
     MGDT_MESH_ARRAY_STEINER_EDGES = 250,
     /** For each tetrahedron an MGDT_REASON_ value: why mgdt_mesh_improve() has left it below the
      *  goal. Empty before. Since 1.4. */
@@ -205,7 +207,8 @@ enum {
     MGDT_MESH_ARRAY_TETRAHEDRA_BELOW = 262,
     /** Three coordinates of each point: first the points that were set, then the Steiner points. */
     MGDT_MESH_ARRAY_POINTS = 300,
-    /** For each Steiner point the number t for which it is a + t (b - a). */
+    /** For each Steiner point the number t for which it is a + t (b - a); 0 if it is between no two
+     *  points. */
     MGDT_MESH_ARRAY_STEINER_PARAMETERS = 310,
     /** Three rows of two numbers, before and after mgdt_mesh_improve(): the least and the largest
      *  dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
@@ -485,9 +488,10 @@ MGDT_API mgdt_status mgdt_mesh_interpolate(const mgdt_mesh* m, int32_t outside, 
                                            double* out);
 
 /** Checks the mesh by itself, with exact arithmetic: all tetrahedra are positive, neighbours share
- *  faces, tetrahedra do not overlap, and regions end at faces; and if MGDT_MESH_STAT_IS_DELAUNAY is
- *  1, that Steiner points are on their edges, and the mesh is constrained Delaunay (docs/theory.md,
- *  "Meshes of domains"). mgdt_domain_check() compares it with what was set.
+ *  faces, tetrahedra do not overlap, and regions end at faces; if MGDT_MESH_STAT_IS_OF_DOMAIN is 1,
+ *  that Steiner points are on their edges; and if MGDT_MESH_STAT_IS_DELAUNAY is 1, that the mesh is
+ *  constrained Delaunay (docs/theory.md, "Meshes of domains"). mgdt_domain_check() compares it with
+ *  what was set.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_CHECK_FAILED (the message says what is wrong
  *  and where), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */

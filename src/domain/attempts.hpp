@@ -2,15 +2,18 @@
 // The order in which grids and rules are tried until a domain has a mesh.
 #pragma once
 
+#include <cstddef>
+
 #include "solid/rounding_grid.hpp"
 
 namespace mgdt {
 
 // One way to make the mesh: the points are rounded to a grid with this many bits, and segments are
-// divided by a rule that may avoid short parts and may take long.
+// divided by a rule that may avoid short parts and may take long, at no more than so many points.
 struct Attempt {
     int bits;
     bool avoids_short_parts, may_take_long;
+    std::size_t most_points = static_cast<std::size_t>(-1);
 };
 
 // The first attempt is on the usual grid. If rounding makes the boundary invalid there, the finest

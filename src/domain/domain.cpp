@@ -172,7 +172,18 @@ void Domain::run(StageProgress& progress, SolidMesh& mesh) {
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "", progress);
     progress.leave_behind(0.05);
     open_edges_ = mgdt::open_edges(complex, allocator_);
-    if (settings_.keeps_boundary) return keep(complex, progress, mesh);
+    if (settings_.keeps_boundary) {
+        const Stuck lost = keep(complex, progress, mesh);
+        if (!lost) return;
+        const auto number = [&](std::size_t k) {
+            return static_cast<long long>(lost->ends[k]) + settings_.index_base;
+        };
+        fail(MGDT_ERR_RESOLUTION,
+             "the boundary cannot be kept: the edge from point %lld to point %lld, or a facet at "
+             "it, is missing",
+             number(0), number(1));
+    }
+    if (!settings_.rounds_points && make_with_fewest(complex, progress, mesh)) return;
     Attempts attempts;
     Stuck reported;
     for (bool is_last = false; !is_last; complex = make_complex(input_, allocator_)) {
@@ -239,6 +250,7 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     if (triangulation.dimension() == 3)
         segments = split_segments(
             triangulation, points, facets.segments, progress, attempt.avoids_short_parts,
+            attempt.most_points,
             most_work(complex.boundary.points.size() / 3, attempt.may_take_long), stop);
     if (segments.stuck != no_index) {
         const auto end = [&](std::size_t k) {
@@ -274,9 +286,43 @@ void Domain::finish(const DomainParts& parts, SolidMesh& mesh) {
     if (settings_.is_strict) require_all_used(mesh);
 }
 
-// Makes a mesh in which every triangle of a facet is one face. Its points are not rounded.
-void Domain::keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh) {
-    if (complex.boundary.triangles.empty() && !settings_.takes_open_surfaces) fail_open();
+// Makes the constrained Delaunay mesh if it needs no points, or else the mesh with the fewest: one
+// with points inside, or a constrained Delaunay one with no more points on segments. Returns false
+// if the boundary cannot be kept, so that segments have to be divided as often as necessary.
+bool Domain::make_with_fewest(const Complex& complex, StageProgress& progress, SolidMesh& mesh) {
+    if (complex.boundary.triangles.empty()) return false;
+    const auto is_made = [&](std::size_t most_points, SolidMesh& made) {
+        for (const int bits : {RoundingGrid::usual_bits, RoundingGrid::most_bits}) {
+            try {
+                const Attempt attempt = {bits, false, false, most_points};
+                return !mesh_on(attempt, make_complex(input_, allocator_), progress, made);
+            } catch (const Error& e) {
+                // Rounding has made the boundary invalid.
+                if (e.status != MGDT_ERR_RESOLUTION) throw;
+                offences_.reset();
+                progress.leave_behind(0.1);
+            }
+        }
+        return false;
+    };
+    if (is_made(0, mesh)) return true;
+    progress.leave_behind(0.45);
+    const bool is_lost = keep(complex, progress, mesh).has_value();
+    progress.leave_behind(0.95);
+    if (is_lost) return false;
+    const std::size_t points = mesh.steiner_parameters.size();
+    if (points == 0) return true;
+    SolidMesh other(mesh.points.allocator());
+    if (is_made(points, other) && !other.is_rounded) mesh = std::move(other);
+    return true;
+}
+
+// Makes a mesh in which every triangle of a facet is one face. Its points are not rounded. If that
+// is impossible, the result is a segment that is lost, or a side of a facet that is.
+Domain::Stuck Domain::keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh) {
+    if (complex.boundary.points.empty() ||
+        (complex.boundary.triangles.empty() && !settings_.takes_open_surfaces))
+        fail_open();
     mesh = SolidMesh(mesh.points.allocator());
     PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     mesh.planar_facets = facets.facets.size();
@@ -285,14 +331,8 @@ void Domain::keep(const Complex& complex, StageProgress& progress, SolidMesh& me
     StageProgress stages = progress.within(0, 0.9);
     keep_boundary(complex, settings_.threads, allocator_, stages, kept);
     if (kept.lost_edge[0] != no_index) {
-        const auto number = [&](std::size_t k) {
-            return static_cast<long long>(complex.point_of_number[kept.lost_edge[k]]) +
-                   settings_.index_base;
-        };
-        fail(MGDT_ERR_RESOLUTION,
-             "the boundary cannot be kept: the edge from point %lld to point %lld, or a facet at "
-             "it, is missing",
-             number(0), number(1));
+        const auto end = [&](std::size_t k) { return complex.point_of_number[kept.lost_edge[k]]; };
+        return StuckSegment{{end(0), end(1)}, false, 0};
     }
     progress.enter(0.9, 1);
     const RoundingGrid grid(0.0, RoundingGrid::no_rounding);
@@ -308,6 +348,7 @@ void Domain::keep(const Complex& complex, StageProgress& progress, SolidMesh& me
     mesh.is_delaunay = false;
     mesh.keeps_facets = true;
     finish({input_, complex, facets, grid, kept.mesh, segments, added, found}, mesh);
+    return std::nullopt;
 }
 
 void Domain::require_all_used(const SolidMesh& mesh) const {

@@ -103,7 +103,8 @@ class Domain {
         std::size_t steiner_points;  // how many there were then
     };
     using Stuck = std::optional<StuckSegment>;
-    void keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
+    Stuck keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
+    bool make_with_fewest(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
     void finish(const DomainParts& parts, SolidMesh& mesh);
     Stuck mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
                   SolidMesh& mesh);

@@ -2,6 +2,7 @@
 #include "domain/mesh_comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "boundary/planar_facets.hpp"
 #include "core/affine_basis.hpp"
@@ -173,7 +174,7 @@ class MeshComparison {
         double beside[3];
         for (int axis = 0; axis < 3; ++axis) {
             std::copy_n(a, 3, beside);
-            beside[axis] += 1;
+            beside[axis] = a[axis] == 0 ? 1 : std::nextafter(a[axis], 0);
             const int side = orientation(a, b, c, beside);
             if (side != 0) return orientation(exact(v[0]), exact(v[1]), exact(v[2]), beside) * side;
         }

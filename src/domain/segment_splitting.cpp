@@ -15,13 +15,15 @@ class Splitting {
   public:
     Splitting(Triangulation& triangulation, Buffer<double>& points,
               const Buffer<std::uint32_t>& segments, StageProgress& progress,
-              bool avoids_short_parts, std::uint64_t most_work, const StopRequest& stop)
+              bool avoids_short_parts, std::size_t most_points, std::uint64_t most_work,
+              const StopRequest& stop)
         : allocator_(triangulation.allocator()),
           triangulation_(triangulation),
           points_(points),
           segments_(segments),
           progress_(progress),
           avoids_short_parts_(avoids_short_parts),
+          most_points_(most_points),
           most_work_(most_work),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
@@ -54,7 +56,7 @@ class Splitting {
         round_near_.resize(points_.size() / 3, 0u);
         tetrahedron_at_.resize(points_.size() / 3, no_tetrahedron);
         for (std::uint32_t round = 1; find_splits() && result_.stuck == no_index; ++round) {
-            if (work_ > most_work_) {
+            if (work_ > most_work_ || result_.steiner.size() >= most_points_) {
                 result_.stuck = parts_[splits_[0].part].segment;
                 result_.takes_long = true;
                 break;
@@ -254,6 +256,7 @@ class Splitting {
     const Buffer<std::uint32_t>& segments_;
     StageProgress& progress_;
     const bool avoids_short_parts_;
+    const std::size_t most_points_;
     const std::uint64_t most_work_;
     std::uint64_t work_ = 0;
     const StopRequest stop_;
@@ -281,9 +284,10 @@ class Splitting {
 
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, std::uint64_t most_work,
-                               const StopRequest& stop) {
-    return Splitting(triangulation, points, segments, progress, avoids_short_parts, most_work, stop)
+                               bool avoids_short_parts, std::size_t most_points,
+                               std::uint64_t most_work, const StopRequest& stop) {
+    return Splitting(triangulation, points, segments, progress, avoids_short_parts, most_points,
+                     most_work, stop)
         .run();
 }
 

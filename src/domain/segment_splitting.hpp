@@ -44,10 +44,11 @@ struct DividedSegments {
 // segments alone. Their rule that avoids short parts is optional: without it there are fewer
 // points, but on few segments the parts become shorter and shorter. On some grids that takes very
 // long, so the function gives up when its work exceeds `most_work`. The work of a round is the
-// number of tetrahedra at its new points, and 64; it is the same for any number of threads.
+// number of tetrahedra at its new points, and 64; it is the same for any number of threads. It also
+// gives up when more than `most_points` points are necessary.
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, std::uint64_t most_work,
-                               const StopRequest& stop);
+                               bool avoids_short_parts, std::size_t most_points,
+                               std::uint64_t most_work, const StopRequest& stop);
 
 }  // namespace mgdt

@@ -213,11 +213,12 @@ static void domain_mesh(void) {
     CHECK_EQUAL(mgdt_domain_build(d, &m), MGDT_OK);
     CHECK_EQUAL(mgdt_mesh_get_option(m, MGDT_MESH_OPTION_POINTS, &value), MGDT_OK);
     CHECK_EQUAL(value, MGDT_POINTS_KEEP);
-    CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_IS_DELAUNAY), 1);
+    CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_IS_OF_DOMAIN), 1);
     set(m, MGDT_MESH_OPTION_BOUNDARY, MGDT_BOUNDARY_SLIDE);
     CHECK_EQUAL(mgdt_mesh_improve(m), MGDT_OK);
     CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
     CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_IS_DELAUNAY), 0);
+    CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_IS_OF_DOMAIN), 0);
     CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_MOVED_POINTS), 0);
     CHECK_EQUAL(mgdt_domain_check(d, m), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_domain_get_error(d, sizeof message, message), MGDT_OK);

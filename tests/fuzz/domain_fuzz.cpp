@@ -195,14 +195,9 @@ class Session {
     }
 
     void compare_builds() {
-        const mgdt_status status = first_.build();
-        FUZZ_REQUIRE(
-            status == MGDT_OK || status == MGDT_ERR_RESOLUTION || status == MGDT_ERR_OPEN_BOUNDARY,
-            "build");
-        if (status == MGDT_OK) first_.check();
         // Polygons of more than three corners may be divided otherwise if they begin elsewhere.
-        for (const Integers& f : facets_.corners)
-            if (f.size() > 3) return;
+        bool has_polygons = false;
+        for (const Integers& f : facets_.corners) has_polygons = has_polygons || f.size() > 3;
         Handle second;
         std::reverse(facets_.corners.begin(), facets_.corners.end());
         std::reverse(facets_.markers.begin(), facets_.markers.end());
@@ -211,6 +206,21 @@ class Session {
                      "points");
         set(second, facets_);
         set_holes(second);
+        for (const std::int64_t keeps : {0, 1}) {
+            for (const Handle* d : {&first_, &second})
+                FUZZ_REQUIRE(
+                    mgdt_domain_set_option(*d, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, keeps) == MGDT_OK,
+                    "an option");
+            const mgdt_status status = first_.build();
+            FUZZ_REQUIRE(status == MGDT_OK || status == MGDT_ERR_RESOLUTION ||
+                             status == MGDT_ERR_OPEN_BOUNDARY,
+                         "build");
+            if (status == MGDT_OK) first_.check();
+            if (!has_polygons) compare_with(second, status);
+        }
+    }
+
+    void compare_with(Handle& second, mgdt_status status) const {
         FUZZ_REQUIRE(second.build() == status, "the order of the facets");
         for (const std::int32_t key : {MGDT_MESH_ARRAY_TETRAHEDRA,
                                        MGDT_MESH_ARRAY_TETRAHEDRON_REGIONS, MGDT_MESH_ARRAY_EDGES})

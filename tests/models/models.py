@@ -7,11 +7,13 @@
 MGDT is the program mgdt. For each surface a line says what became of it. A surface is valid if its triangles
 meet in common corners and edges only, and closed if it encloses something. What must hold:
 
-- each valid surface that is closed is meshed, and the mesh passes `mgdt mesh --check`;
+- each valid surface that is closed is meshed, and the mesh passes `mgdt mesh --check`, also with --keep-surface,
+  unless doubles do not suffice to keep it;
 - each other surface is refused; one that encloses nothing has an edge that one triangle alone has;
 - with --pairs (facet_pairs.cpp) the pairs that `mgdt validate` lists are those that CGAL finds.
 
-Beside it are Steiner points and processor time, files included, of `tetgen -p`, and with --cdt of MarcoAttene/CDT.
+Beside it are Steiner points and processor time, files included, of `mgdt mesh --keep-surface`, of `tetgen -p` and
+`tetgen -pY`, and with --cdt of MarcoAttene/CDT.
 """
 
 from __future__ import annotations
@@ -179,9 +181,28 @@ class Suite:
         seconds["mgdt"] = made.seconds
         checked = self.run(mgdt, "mesh", "-q", "--check", off.name, "-o", off.stem + ".ele")
         seconds["check"] = checked.seconds - made.seconds
+        if checked.status == 0:
+            checked = self.kept(off, steiner, seconds)
         return "meshed" if checked.status == 0 else f"check: status {checked.status}: {checked.text.strip()[-150:]}"
 
+    def kept(self, off: Path, steiner: dict[str, int], seconds: dict[str, float]) -> Run:
+        command = [self.options.mgdt, "mesh", off.name, "-o", off.stem + ".ele", "--keep-surface"]
+        made = self.run(*command)
+        if made.status == 3 and "cannot be kept" in made.text:
+            return made._replace(status=0)
+        added = re.search(r", (\d+) added,", made.text)
+        if made.status != 0 or not added:
+            return made
+        steiner["kept"] = int(added[1])
+        seconds["kept"] = made.seconds
+        return self.run(*command, "--check", "-q")
+
     def others(self, off: Path, points: int, steiner: dict[str, int], seconds: dict[str, float]) -> None:
+        made = self.run("tetgen", "-pY", off.name)
+        inside = re.search(r"Steiner points inside domain: +(\d+)", made.text)
+        if made.status == 0:
+            steiner["tetgen -pY"] = int(inside[1]) if inside else 0
+            seconds["tetgen -pY"] = made.seconds
         made = self.run("tetgen", "-pQ", off.name)
         node = self.work / (off.stem + ".1.node")
         if made.status == 0 and node.is_file():
@@ -210,6 +231,8 @@ def summary(models: list[Model], names: list[str]) -> None:
           f"{sum(m.steiner['mgdt'] for m in meshed)} Steiner points, median "
           f"{statistics.median(m.steiner['mgdt'] / m.points for m in meshed):.3f} for each point; "
           f"{sum(m.seconds['mgdt'] for m in meshed):.1f} s, the checks {sum(m.seconds['check'] for m in meshed):.1f} s")
+    kept = [m for m in meshed if "kept" in m.steiner]
+    print(f"--keep-surface keeps {len(kept)} of them, {sum(m.steiner['kept'] == 0 for m in kept)} without Steiner points")
     for name in names:
         both = [m for m in meshed if name in m.steiner]
         if not both:
@@ -236,7 +259,7 @@ def main() -> None:
         if getattr(options, name):
             setattr(options, name, os.path.abspath(getattr(options, name)))
     suite = Suite(options)
-    names = ["tetgen", "cdt"] if options.cdt else ["tetgen"]
+    names = ["kept", "tetgen", "tetgen -pY"] + ["cdt"] * bool(options.cdt)
     models = []
     print(f"{'surface':40} {'points':>7} {'facets':>7}  Steiner points, seconds of mgdt, {', '.join(names)}")
     for path in sorted((suite.folder / "surfaces").iterdir()):

@@ -104,15 +104,22 @@ TEST(Domain, RefusesWhatTheGridCannotHold) {
     s.point(0.5 + 1e-15, 0.5, 0.5);
     MeshedDomain domain;
     give(domain, s);
+    domain.settings().rounds_points = true;
     EXPECT_EQ(error_of([&] { domain.build(); }).status, MGDT_ERR_RESOLUTION);
+    // Without rounding no grid is needed.
+    domain.settings().rounds_points = false;
+    domain.build();
+    domain.check();
+    EXPECT_EQ(domain.mesh().grid.bits(), RoundingGrid::no_rounding);
 }
 
 // Finer details than 2^-36 of the largest coordinate, and a segment whose parts beside a point are
 // too short for the points that it has on the usual grid.
 TEST(Domain, ChoosesAFinerOrACoarserGrid) {
-    const auto bits_of = [](const Surface& s) {
+    const auto bits_of = [](const Surface& s, bool rounds = false) {
         MeshedDomain domain;
         give(domain, s);
+        domain.settings().rounds_points = rounds;
         std::vector<double> heard;
         domain.settings().progress_user = &heard;
         domain.settings().progress = [](double fraction, void* user) {
@@ -123,9 +130,9 @@ TEST(Domain, ChoosesAFinerOrACoarserGrid) {
         domain.check();
         EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
         EXPECT_EQ(heard.back(), 1);
-        for (std::size_t i = 0; i < s.points.size(); ++i)
+        EXPECT_EQ(domain.mesh().is_rounded, rounds);
+        for (std::size_t i = 0; i < s.points.size() && !rounds; ++i)
             EXPECT_EQ(domain.mesh().points[i], s.points[i]);
-        EXPECT_FALSE(domain.mesh().is_rounded);
         return domain.mesh().grid.bits();
     };
     EXPECT_EQ(bits_of(cube()), 36);
@@ -165,8 +172,9 @@ TEST(Domain, ChoosesAFinerOrACoarserGrid) {
             s.point(a[0] + t * d[0] + distance * n[0], a[1] + t * d[1] + distance * n[1],
                     a[2] + t * d[2] + distance * n[2]);
         }
-        const int bits = bits_of(s);
+        const int bits = bits_of(s, true);
         EXPECT_TRUE(distance > 1e-4 ? bits == 36 : bits < 36) << distance << ": " << bits;
+        bits_of(s);
     }
 }
 

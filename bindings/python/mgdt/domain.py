@@ -195,8 +195,8 @@ def offending_pairs(
 class DomainMesh(Mesh):
     """Tetrahedra that fill what facets enclose.
 
-    Every facet is a union of faces of the mesh, and every segment a union of edges. The mesh is the
-    constrained Delaunay triangulation of its points.
+    Every facet is a union of faces of the mesh, and every segment a union of edges. The mesh has few
+    Steiner points; where that takes no more of them, it is constrained Delaunay.
 
     Since 1.3.
 
