@@ -101,11 +101,27 @@ RecoveryInput make_input(const Boundary& boundary, const CanonicalOrder& order,
     Boundary ranked(allocator);
     for (const std::uint32_t v : boundary.triangles) ranked.triangles.push_back(order.rank(v));
     for (const std::uint32_t v : boundary.segments) ranked.segments.push_back(order.rank(v));
+    // The shortest segments come first, because they cross least.
+    struct Segment {
+        double length;
+        std::uint32_t a, b;
+        bool operator<(const Segment& s) const {
+            return length != s.length ? length < s.length : a != s.a ? a < s.a : b < s.b;
+        }
+    };
+    Buffer<Segment> segments(allocator);
     const Buffer<BoundaryEdge> edges = sorted_edges(ranked, allocator);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (i > 0 && edges[i].has_ends_of(edges[i - 1])) continue;
-        input.segments.push_back(edges[i].a);
-        input.segments.push_back(edges[i].b);
+        const double* const x = boundary.points.begin() + 3 * std::size_t{order.vertex(edges[i].a)};
+        const double* const y = boundary.points.begin() + 3 * std::size_t{order.vertex(edges[i].b)};
+        segments.push_back(
+            {std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]), edges[i].a, edges[i].b});
+    }
+    std::sort(segments.begin(), segments.end());
+    for (const Segment& s : segments) {
+        input.segments.push_back(s.a);
+        input.segments.push_back(s.b);
     }
     Buffer<SortedCorners<3>> triangles(allocator);
     for (std::uint32_t i = 0; i < ranked.triangles.size() / 3; ++i) {
@@ -172,10 +188,10 @@ void triangulate(const Buffer<double>& points, int threads, Allocator& allocator
 void keep_boundary(const Complex& complex, int threads, Allocator& allocator,
                    StageProgress& progress, KeptBoundary& result) {
     // A segment may be lost because of those before it, so others are tried first.
-    constexpr RecoveryEffort efforts[] = {{{200, 1000, 1500}, 150, false},
-                                          {{200, 1500, 2000}, 200, true},
-                                          {{200, 2000, 4000}, 400, false},
-                                          {{300, 2500, 5000}, 500, true}};
+    constexpr RecoveryEffort efforts[] = {{{200, 1000, 1500}, 150, 100, false},
+                                          {{200, 1500, 2000}, 200, 300, true},
+                                          {{200, 2000, 4000}, 400, 600, false},
+                                          {{300, 2500, 5000}, 500, 1200, true}};
     const Boundary& boundary = complex.boundary;
     const CanonicalOrder order(boundary.points, allocator);
     const RecoveryInput input = make_input(boundary, order, allocator);

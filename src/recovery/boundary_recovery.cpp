@@ -22,69 +22,94 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
       chain_(mesh, allocator),
       sheet_(mesh, allocator),
       missing_(allocator),
-      left_(allocator),
       tried_(allocator) {
     for (std::size_t i = 0; i < input.segments.size(); i += 2)
         kept_.add(input.segments[i], input.segments[i + 1]);
 }
 
 bool BoundaryRecovery::run() {
+    return recover_segments() && recover_triangles() &&
+           (PointRemoval(mesh_, flips_, missing_.allocator()).run(first_added_, stop_), true);
+}
+
+bool BoundaryRecovery::recover_segments() {
     missing_.clear();
-    for (std::uint32_t i = 0; i < input_.segments.size() / 2; ++i) missing_.push_back(i);
+    for (std::uint32_t i = 0; i < input_.segments.size() / 2; ++i) {
+        stop_.poll_in_step(i);
+        const std::uint32_t* const ends = input_.segments.begin() + 2 * std::size_t{i};
+        if (walk_.run(ends[0], ends[1]) != CrossingWalk::Result::is_edge) missing_.push_back(i);
+    }
     if (effort_.reverses) std::reverse(missing_.begin(), missing_.end());
-    static const int seq[] = {-1, 0, 1, 2, 3, 3, 3};
-    for (const int step : seq) {
-        left_.clear();
-        for (const std::uint32_t i : missing_) {
-            stop_.poll();
+    constexpr std::size_t least_segments = 200;
+    rings_left_ = effort_.most_rings * (least_segments + missing_.size());
+    constexpr struct Stage {
+        unsigned depth;
+        bool adds_points;
+    } stages[] = {{0, false}, {1, false}, {2, false}, {2, true}, {2, true}, {2, true}};
+    for (const Stage& stage : stages) {
+        adds_points_ = stage.adds_points;
+        keep_missing([&](std::uint32_t i) {
             const std::uint32_t* const ends = input_.segments.begin() + 2 * std::size_t{i};
-            with_points_ = step == 3;
-            if (step < 0
-                    ? walk_.run(ends[0], ends[1]) != CrossingWalk::Result::is_edge
-                    : !recover_segment(ends[0], ends[1], static_cast<unsigned>(std::min(step, 2))))
-                left_.push_back(i);
-        }
-        std::swap(missing_, left_);
-        counts.missing_segments[std::min(step + 1, 3)] = missing_.size();
+            return recover_segment(ends[0], ends[1], stage.depth);
+        });
     }
-    if (!missing_.empty()) {
-        std::copy_n(input_.segments.begin() + 2 * std::size_t{missing_[0]}, 2, lost_edge_);
-        return false;
-    }
+    if (missing_.empty()) return true;
+    std::copy_n(input_.segments.begin() + 2 * std::size_t{missing_[0]}, 2, lost_edge_);
+    return false;
+}
+
+bool BoundaryRecovery::recover_triangles() {
     for (std::uint32_t i = 0; i < input_.triangles.size() / 3; ++i) missing_.push_back(i);
-    for (unsigned depth = 0; depth <= Flips::most_depth + 1; ++depth) {
-        left_.clear();
-        for (const std::uint32_t i : missing_) {
-            stop_.poll();
+    for (unsigned depth = 0; depth <= Flips::most_depth; ++depth)
+        keep_missing([&](std::uint32_t i) {
             const std::uint32_t* const of = input_.triangles.begin() + 3 * std::size_t{i};
-            const std::uint32_t v[3] = {of[0], of[1], of[2]};
-            if (depth == 0 ? over_.run(v) != TriangleWalk::Result::is_face
-                           : !recover_triangle(v, depth - 1))
-                left_.push_back(i);
-        }
-        std::swap(missing_, left_);
-        counts.missing_triangles[depth] = missing_.size();
+            return recover_triangle({of[0], of[1], of[2]}, depth);
+        });
+    if (missing_.empty()) return true;
+    std::copy_n(input_.triangles.begin() + 3 * std::size_t{missing_[0]}, 2, lost_edge_);
+    return false;
+}
+
+// Keeps those of the missing items that are not recovered.
+template <class Recover>
+void BoundaryRecovery::keep_missing(const Recover& recover) {
+    std::size_t kept = 0;
+    for (const std::uint32_t i : missing_) {
+        stop_.poll();
+        if (!recover(i)) missing_[kept++] = i;
     }
-    if (!missing_.empty()) {
-        std::copy_n(input_.triangles.begin() + 3 * std::size_t{missing_[0]}, 2, lost_edge_);
-        return false;
-    }
-    PointRemoval(mesh_, flips_, missing_.allocator()).run(first_added_, stop_);
-    return true;
+    missing_.resize(kept);
+}
+
+// Gives the flips a budget, as long as rings are left.
+void BoundaryRecovery::set_budget(std::size_t rings) {
+    budget_ = std::min(rings, rings_left_);
+    flips_.set_budget(budget_);
+}
+
+// Counts the rings that the flips have looked at.
+void BoundaryRecovery::spend_budget() {
+    rings_left_ -= budget_ - flips_.budget();
+    budget_ = flips_.budget();
 }
 
 bool BoundaryRecovery::recover_segment(std::uint32_t a, std::uint32_t b, unsigned depth) {
     const Crossings crossings = Crossings::of_segment(mesh_, a, b);
-    flips_.set_budget(effort_.rings[depth]);
     mesh_.forget();
-    if (flip_segment(a, b, crossings, depth)) return true;
-    if (!with_points_) return false;
+    // Flips without depth are always tried.
+    if (depth == 0)
+        flips_.set_budget(effort_.rings[0]);
+    else
+        set_budget(effort_.rings[depth]);
+    const bool is_done = flip_segment(a, b, crossings, depth);
+    if (depth > 0) spend_budget();
+    if (is_done || !adds_points_) return is_done;
     constexpr unsigned most_points = 12;
     for (unsigned points = 0; points < most_points; ++points) {
         const CrossingWalk::Result result = walk_.run(a, b);
         if (result == CrossingWalk::Result::is_edge) return true;
         if (result == CrossingWalk::Result::meets) return false;
-        if (!insert_point(a, b, crossings, depth)) break;
+        if (!insert_point(a, b, crossings)) break;
     }
     return chain_.recover(a, b);
 }
@@ -100,7 +125,7 @@ bool BoundaryRecovery::flip_segment(std::uint32_t a, std::uint32_t b, const Cros
         bool is_reduced = false;
         for (unsigned d = 0; d <= depth && !is_reduced; ++d)
             is_reduced = reduce_segment(crossings, d);
-        if (!is_reduced && with_points_)
+        if (!is_reduced && adds_points_)
             for (const Crossing& c : walk_.crossings()) {
                 is_reduced = c.is_edge() && flips_.turn_edge(c.v[0], c.v[1], crossings, -1);
                 if (is_reduced) break;
@@ -111,15 +136,17 @@ bool BoundaryRecovery::flip_segment(std::uint32_t a, std::uint32_t b, const Cros
 
 // Puts a point into a tetrahedron that the segment crosses, and flips. Returns false if there is
 // no place for which there are fewer crossings then.
-bool BoundaryRecovery::insert_point(std::uint32_t a, std::uint32_t b, const Crossings& crossings,
-                                    unsigned depth) {
+bool BoundaryRecovery::insert_point(std::uint32_t a, std::uint32_t b, const Crossings& crossings) {
     const std::size_t state = mesh_.state();
     tried_.clear();
-    for (const Crossing& c : walk_.crossings()) tried_.push_back(c);
-    const std::size_t before = tried_.size();
+    // Some crossings from everywhere, if there are many.
+    constexpr std::size_t most_tries = 12;
+    const std::size_t before = walk_.crossings().size(), step = 1 + (before - 1) / most_tries;
+    for (std::size_t i = 0; i < before; i += step) tried_.push_back(walk_.crossings()[i]);
     for (const double share : {1.0, 0.3, 0.08, 0.02})
         for (const Crossing& c : tried_) {
-            flips_.set_budget(effort_.rings_of_point);
+            if (rings_left_ == 0) return false;
+            set_budget(effort_.rings_of_point);
             const FlipMesh::Tetrahedron t = mesh_.tetrahedra[c.tetrahedron];
             double x[3], on[3];
             find_crossing(mesh_, a, b, c, on);
@@ -131,7 +158,9 @@ bool BoundaryRecovery::insert_point(std::uint32_t a, std::uint32_t b, const Cros
                 x[k] = on[k] + share * (sum - on[k]);
             }
             if (mesh_.split(c.tetrahedron, x) == no_index) continue;
-            if (flip_segment(a, b, crossings, std::min(depth, 1u))) return true;
+            const bool is_done = flip_segment(a, b, crossings, 1);
+            spend_budget();
+            if (is_done) return true;
             if (!walk_.crossings().empty() && walk_.crossings().size() < before) return true;
             mesh_.undo(state);
         }

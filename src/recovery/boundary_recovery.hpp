@@ -23,6 +23,7 @@ struct RecoveryInput {
 struct RecoveryEffort {
     std::size_t rings[Flips::most_depth + 1];
     std::size_t rings_of_point;
+    std::size_t most_rings;  // in all, for each missing segment
     bool reverses;
 };
 
@@ -37,15 +38,16 @@ class BoundaryRecovery {
     // The ends of a segment that is missing, or those of a side of a triangle that is.
     const std::uint32_t (&lost_edge() const noexcept)[2] { return lost_edge_; }
 
-    struct Counts {
-        std::size_t missing_segments[4] = {}, missing_triangles[4] = {};
-    };
-    Counts counts;
-
   private:
+    bool recover_segments();
+    bool recover_triangles();
+    template <class Recover>
+    void keep_missing(const Recover& recover);
+    void set_budget(std::size_t rings);
+    void spend_budget();
     bool recover_segment(std::uint32_t a, std::uint32_t b, unsigned depth);
     bool flip_segment(std::uint32_t a, std::uint32_t b, const Crossings& crossings, unsigned depth);
-    bool insert_point(std::uint32_t a, std::uint32_t b, const Crossings& crossings, unsigned depth);
+    bool insert_point(std::uint32_t a, std::uint32_t b, const Crossings& crossings);
     bool reduce_segment(const Crossings& crossings, unsigned depth);
     bool recover_triangle(const std::uint32_t (&v)[3], unsigned depth);
 
@@ -61,8 +63,10 @@ class BoundaryRecovery {
     SegmentChain chain_;
     TriangleSheet sheet_;
     std::uint32_t lost_edge_[2] = {no_index, no_index};
-    bool with_points_ = false;
-    Buffer<std::uint32_t> missing_, left_;
+    bool adds_points_ = false;  // whether points may be added
+    // How many rings deep flips may still look at, and how many of these the flips have at hand.
+    std::size_t rings_left_ = 0, budget_ = 0;
+    Buffer<std::uint32_t> missing_;  // segments, or triangles, by their numbers
     Buffer<Crossing> tried_;
 };
 

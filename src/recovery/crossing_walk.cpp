@@ -34,26 +34,10 @@ CrossingWalk::Result CrossingWalk::run(std::uint32_t a, std::uint32_t b) {
     a_ = a;
     b_ = b;
     crossings_.clear();
-    stamps_.grow(mesh_.tetrahedra.size());
-    stamps_.resize(mesh_.tetrahedra.size(), 0u);
-    ++walk_;
-    star_.clear();
-    star_.push_back(mesh_.hints[a]);
-    stamps_[star_[0]] = walk_;
-    for (std::size_t i = 0; i < star_.size(); ++i) {
-        const FlipMesh::Tetrahedron& t = mesh_.tetrahedra[star_[i]];
-        if (t.has(b)) return Result::is_edge;
-        for (unsigned k = 0; k < 4; ++k) {
-            const std::uint32_t next = t.n[k];
-            if (t.v[k] == a || next == no_index || stamps_[next / 4] == walk_) continue;
-            stamps_[next / 4] = walk_;
-            star_.push_back(next / 4);
-        }
-    }
-    Step step = Step::ends;
-    for (std::size_t i = 0; i < star_.size() && step == Step::ends; ++i)
-        step = leave_start(star_[i]);
-    if (step == Step::ends) fail(MGDT_ERR_INTERNAL, "a segment leaves no tetrahedron");
+    const std::uint32_t start = mesh_.tetrahedron_towards(a, b);
+    if (start == no_tetrahedron) fail(MGDT_ERR_INTERNAL, "a segment leaves no tetrahedron");
+    if (mesh_.tetrahedra[start].has(b)) return Result::is_edge;
+    Step step = leave_start(start);
     while (step == Step::goes_on) {
         const Crossing from = crossings_.back();
         step = from.is_edge() ? leave_edge(from) : leave_face(from);
@@ -61,17 +45,14 @@ CrossingWalk::Result CrossingWalk::run(std::uint32_t a, std::uint32_t b) {
     return step == Step::ends ? Result::crosses : Result::meets;
 }
 
-// Leaves a tetrahedron of a, if the segment runs in it. Otherwise the result is Step::ends.
+// Leaves the tetrahedron of a in which the segment begins.
 CrossingWalk::Step CrossingWalk::leave_start(std::uint32_t t) {
     const FlipMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
     const unsigned char* const f = outer_face[tet.position(a_)];
     // (a, v0, v1, v2) is positive.
     const std::uint32_t v[3] = {tet.v[f[0]], tet.v[f[2]], tet.v[f[1]]};
     int turns[3];
-    for (int k = 0; k < 3; ++k) {
-        turns[k] = turn(v[k], v[(k + 1) % 3]);
-        if (turns[k] < 0) return Step::ends;
-    }
+    for (int k = 0; k < 3; ++k) turns[k] = turn(v[k], v[(k + 1) % 3]);
     for (int k = 0; k < 3; ++k)
         if (turns[k] == 0 && turns[(k + 1) % 3] == 0) return meet(v[(k + 1) % 3]);
     for (int k = 0; k < 3; ++k)

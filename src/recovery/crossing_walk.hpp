@@ -16,8 +16,7 @@ struct Crossing {
 
 class CrossingWalk {
   public:
-    CrossingWalk(const FlipMesh& mesh, Allocator& allocator)
-        : mesh_(mesh), crossings_(allocator), star_(allocator), stamps_(allocator) {}
+    CrossingWalk(FlipMesh& mesh, Allocator& allocator) : mesh_(mesh), crossings_(allocator) {}
 
     enum class Result {
         is_edge,  // the segment is an edge of the mesh
@@ -42,11 +41,9 @@ class CrossingWalk {
     Step cross_face(std::uint32_t t, std::uint32_t u, std::uint32_t v, std::uint32_t w);
     Step meet(std::uint32_t v);
 
-    const FlipMesh& mesh_;
+    FlipMesh& mesh_;
     std::uint32_t a_ = 0, b_ = 0, vertex_ = no_index;
     Buffer<Crossing> crossings_;
-    Buffer<std::uint32_t> star_, stamps_;  // the star of a, and the last walk at each tetrahedron
-    std::uint32_t walk_ = 0;
 };
 
 // About where the segment from a to b crosses a face or an edge.

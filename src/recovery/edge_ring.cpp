@@ -10,8 +10,8 @@ bool EdgeRing::collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to, std
     q = to;
     v.clear();
     tetrahedra.clear();
-    const std::uint32_t first = mesh.tetrahedron_at(p, q);
-    if (first == no_tetrahedron) return false;
+    const std::uint32_t first = mesh.tetrahedron_towards(p, q);
+    if (first == no_tetrahedron || !mesh.tetrahedra[first].has(q)) return false;
     const FlipMesh::Tetrahedron& start = mesh.tetrahedra[first];
     unsigned k = 0;
     while (start.v[k] == p || start.v[k] == q) ++k;

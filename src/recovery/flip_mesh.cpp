@@ -143,6 +143,57 @@ std::uint32_t FlipMesh::split(std::uint32_t t, const double (&x)[3]) {
     return z;
 }
 
+// Whether the direction from a, a corner of a tetrahedron, to b runs in it. If not, `next` is the
+// neighbour at a behind a face that the direction leaves behind.
+bool FlipMesh::contains_direction(std::uint32_t t, std::uint32_t a, std::uint32_t b,
+                                  std::uint32_t& next) const noexcept {
+    const Tetrahedron& tet = tetrahedra[t];
+    const unsigned char* const f = outer_face[tet.position(a)];
+    // (a, v0, v1, v2) is positive.
+    const unsigned v[3] = {f[0], f[2], f[1]};
+    for (int k = 0; k < 3; ++k) {
+        if (orientation(point(a), point(b), point(tet.v[v[k]]), point(tet.v[v[(k + 1) % 3]])) >= 0)
+            continue;
+        next = tet.n[v[(k + 2) % 3]];
+        return false;
+    }
+    return true;
+}
+
+std::uint32_t FlipMesh::tetrahedron_towards(std::uint32_t a, std::uint32_t b) {
+    // The walk may run in circles.
+    constexpr int most_steps = 60;
+    std::uint32_t t = hints[a], next = no_index;
+    for (int i = 0; i < most_steps; ++i) {
+        if (tetrahedra[t].has(b) || contains_direction(t, a, b, next)) return t;
+        if (next == no_index) break;
+        t = next / 4;
+    }
+    return search_star(a, b);
+}
+
+// Looks at all tetrahedra of a vertex.
+std::uint32_t FlipMesh::search_star(std::uint32_t a, std::uint32_t b) {
+    stamps_.grow(tetrahedra.size());
+    stamps_.resize(std::max(stamps_.size(), tetrahedra.size()), 0u);
+    ++search_;
+    star_.clear();
+    star_.push_back(hints[a]);
+    stamps_[hints[a]] = search_;
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+        const Tetrahedron& t = tetrahedra[star_[i]];
+        std::uint32_t ignored;
+        if (t.has(b) || contains_direction(star_[i], a, b, ignored)) return star_[i];
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t next = t.n[k];
+            if (t.v[k] == a || next == no_index || stamps_[next / 4] == search_) continue;
+            stamps_[next / 4] = search_;
+            star_.push_back(next / 4);
+        }
+    }
+    return no_tetrahedron;
+}
+
 void FlipMesh::undo(std::size_t state) noexcept {
     while (journal_.size() > state) {
         const Entry& entry = journal_.back();

@@ -23,7 +23,9 @@ class FlipMesh : public LinkedTetrahedra {
           table_(allocator),
           leaves_(allocator),
           removed_(allocator),
-          added_(allocator) {}
+          added_(allocator),
+          star_(allocator),
+          stamps_(allocator) {}
 
     const double* point(std::uint32_t v) const noexcept {
         return points_.begin() + 3 * std::size_t{v};
@@ -44,6 +46,10 @@ class FlipMesh : public LinkedTetrahedra {
     // Adds a point that is inside of a tetrahedron, and divides this into four. Returns the point,
     // or no_index if it is not inside.
     std::uint32_t split(std::uint32_t t, const double (&x)[3]);
+
+    // A tetrahedron at vertex a in which the direction to another vertex b runs, or on whose
+    // boundary it runs. If a and b are the ends of an edge, the tetrahedron has both.
+    std::uint32_t tetrahedron_towards(std::uint32_t a, std::uint32_t b);
 
     // The state of the mesh, to which undo() returns. It is valid until forget().
     std::size_t state() const noexcept { return journal_.size(); }
@@ -75,6 +81,9 @@ class FlipMesh : public LinkedTetrahedra {
             {step, slot, slot < tetrahedra.size() ? tetrahedra[slot] : Tetrahedron{}});
     }
     bool pair_faces(const Buffer<std::uint32_t>& removed, const Buffer<Corners>& added);
+    bool contains_direction(std::uint32_t t, std::uint32_t a, std::uint32_t b,
+                            std::uint32_t& next) const noexcept;
+    std::uint32_t search_star(std::uint32_t a, std::uint32_t b);
     std::uint32_t new_slot();
     static Face make_face(const std::uint32_t (&v)[4], unsigned position) noexcept;
     std::uint32_t& place_of(const Face& face) noexcept;
@@ -89,6 +98,8 @@ class FlipMesh : public LinkedTetrahedra {
     Buffer<std::uint8_t> leaves_;    // marks the tetrahedra that leave
     Buffer<std::uint32_t> removed_;  // those of split()
     Buffer<Corners> added_;
+    Buffer<std::uint32_t> star_, stamps_;  // of search_star()
+    std::uint32_t search_ = 0;
 };
 
 }  // namespace mgdt

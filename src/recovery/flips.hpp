@@ -26,6 +26,8 @@ class Flips {
 
     // How many rings may be looked at before edges are no longer removed.
     void set_budget(std::size_t rings) noexcept { budget_ = rings; }
+    // How many of them are left.
+    std::size_t budget() const noexcept { return budget_; }
 
     // Removes the edge between p and q if the number of crossings then changes by at most `limit`.
     // The tetrahedra around the edge are replaced as RingFilling says. Where that is impossible,

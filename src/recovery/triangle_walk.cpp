@@ -58,8 +58,9 @@ bool TriangleWalk::is_inside(const std::uint32_t (&v)[3], std::uint32_t w) const
 TriangleWalk::Result TriangleWalk::begin(const std::uint32_t (&v)[3]) {
     const double *const a = mesh_.point(v[0]), *const b = mesh_.point(v[1]),
                         *const c = mesh_.point(v[2]);
-    const std::uint32_t first = mesh_.tetrahedron_at(v[0], v[1]);
-    if (first == no_tetrahedron) fail(MGDT_ERR_INTERNAL, "a side of a facet is no edge");
+    const std::uint32_t first = mesh_.tetrahedron_towards(v[0], v[1]);
+    if (first == no_tetrahedron || !mesh_.tetrahedra[first].has(v[1]))
+        fail(MGDT_ERR_INTERNAL, "a side of a facet is no edge");
     std::uint32_t t = first;
     do {
         const FlipMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
