@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "mesh_volumes.hpp"
 #include "random_complexes.hpp"
@@ -60,6 +62,104 @@ TEST(KeptBoundary, KeepsRandomComplexes) {
         kept += is_kept(domain);
     }
     EXPECT_EQ(kept, 150);
+}
+
+// The tetrahedra of a mesh by the coordinates of their corners, sorted.
+std::vector<std::array<std::array<double, 3>, 4>> places_of(const SolidMesh& m) {
+    std::vector<std::array<std::array<double, 3>, 4>> all(m.tetrahedron_count());
+    for (std::size_t i = 0; i < m.tetrahedra.size(); ++i)
+        std::copy_n(m.points.begin() + 3 * std::size_t{m.tetrahedra[i]}, 3,
+                    all[i / 4][i % 4].begin());
+    for (auto& t : all) std::sort(t.begin(), t.end());
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(KeptBoundary, DoesNotDependOnTheOrderOfPointsAndFacetsOrOnThreads) {
+    Surface s = chazelle(3);
+    MeshedDomain domain, other;
+    give(domain, s);
+    ASSERT_TRUE(is_kept(domain));
+    EXPECT_GT(domain.mesh().steiner_parameters.size(), 0u);
+    // Points and facets in the opposite order.
+    const auto n = static_cast<std::uint32_t>(s.points.size() / 3);
+    for (std::uint32_t v = 0; v < n / 2; ++v)
+        std::swap_ranges(s.points.begin() + 3 * v, s.points.begin() + 3 * v + 3,
+                         s.points.begin() + 3 * (n - 1 - v));
+    for (auto& facet : s.facets)
+        for (std::uint32_t& v : facet) v = n - 1 - v;
+    std::reverse(s.facets.begin(), s.facets.end());
+    std::reverse(s.markers.begin(), s.markers.end());
+    give(other, s);
+    other.settings().threads = 3;
+    ASSERT_TRUE(is_kept(other));
+    EXPECT_EQ(places_of(domain.mesh()), places_of(other.mesh()));
+}
+
+// Corners on one sphere need no points where flips suffice. Not all choices of diagonals of a cube
+// have a mesh without points.
+TEST(KeptBoundary, AddsFewPoints) {
+    const auto points_of = [](std::vector<std::vector<std::uint32_t>> facets) {
+        Surface s = cube();
+        s.facets = std::move(facets);
+        s.markers.resize(s.facets.size());
+        std::iota(s.markers.begin(), s.markers.end(), 0);
+        MeshedDomain domain;
+        give(domain, s);
+        EXPECT_TRUE(is_kept(domain));
+        return domain.mesh().steiner_parameters.size();
+    };
+    EXPECT_EQ(points_of({{0, 2, 3},
+                         {0, 3, 1},
+                         {4, 5, 7},
+                         {4, 7, 6},
+                         {0, 1, 5},
+                         {0, 5, 4},
+                         {2, 6, 7},
+                         {2, 7, 3},
+                         {0, 4, 6},
+                         {0, 6, 2},
+                         {1, 3, 7},
+                         {1, 7, 5}}),
+              0u);
+    EXPECT_EQ(points_of({{0, 5, 1},
+                         {0, 4, 5},
+                         {4, 7, 5},
+                         {4, 6, 7},
+                         {6, 3, 7},
+                         {6, 2, 3},
+                         {2, 1, 3},
+                         {2, 0, 1},
+                         {1, 7, 3},
+                         {1, 5, 7},
+                         {2, 4, 0},
+                         {2, 6, 4}}),
+              1u);
+}
+
+// Details far below the grid to which other meshes are rounded.
+TEST(KeptBoundary, MeshesThinSheets) {
+    for (const double thickness : {1e-7, 1e-13, 1e-30}) {
+        SCOPED_TRACE(thickness);
+        Surface s("sheet");
+        add_box(s, {0, 0, 0}, {1, 1, thickness});
+        s.point(0.25, 0.5, thickness / 3);
+        MeshedDomain domain;
+        give(domain, s);
+        EXPECT_TRUE(is_kept(domain));
+        EXPECT_LE(domain.mesh().steiner_parameters.size(), 1u);
+        domain.settings().keeps_boundary = false;
+        domain.build();
+        domain.check();
+    }
+}
+
+TEST(KeptBoundary, RefusesCoordinatesWithoutRoomAroundThem) {
+    Surface s = cube();
+    for (double& x : s.points) x = x * 1.6e308 - 0.8e308;
+    MeshedDomain domain;
+    give(domain, s);
+    EXPECT_FALSE(is_kept(domain));
 }
 
 }  // namespace
