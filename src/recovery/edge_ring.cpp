@@ -35,4 +35,14 @@ bool EdgeRing::collect(FlipMesh& mesh, std::uint32_t from, std::uint32_t to, std
     return true;
 }
 
+bool EdgeRing::join(FlipMesh& mesh, std::uint32_t point) {
+    added_.clear();
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const std::uint32_t here = v[i], next = v[(i + 1) % v.size()];
+        added_.push_back({{p, point, here, next}});
+        added_.push_back({{point, q, here, next}});
+    }
+    return mesh.are_positive(added_) && mesh.replace(tetrahedra, added_);
+}
+
 }  // namespace mgdt

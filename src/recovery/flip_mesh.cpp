@@ -123,6 +123,15 @@ bool FlipMesh::replace(const Buffer<std::uint32_t>& removed, const Buffer<Corner
     return true;
 }
 
+bool FlipMesh::is_positive(const Corners& t) const noexcept {
+    return orientation(point(t.v[0]), point(t.v[1]), point(t.v[2]), point(t.v[3])) > 0;
+}
+
+bool FlipMesh::are_positive(const Buffer<Corners>& list, std::size_t first) const noexcept {
+    return std::all_of(list.begin() + first, list.end(),
+                       [&](const Corners& t) { return is_positive(t); });
+}
+
 std::uint32_t FlipMesh::split(std::uint32_t t, const double (&x)[3]) {
     const Tetrahedron whole = tetrahedra[t];
     const std::size_t before = state();
@@ -133,7 +142,7 @@ std::uint32_t FlipMesh::split(std::uint32_t t, const double (&x)[3]) {
     for (unsigned i = 0; i < 4; ++i) {
         Corners c = {{whole.v[0], whole.v[1], whole.v[2], whole.v[3]}};
         c.v[i] = z;
-        if (orientation(point(c.v[0]), point(c.v[1]), point(c.v[2]), point(c.v[3])) <= 0) {
+        if (!is_positive(c)) {
             undo(before);
             return no_index;
         }
@@ -169,29 +178,20 @@ std::uint32_t FlipMesh::tetrahedron_towards(std::uint32_t a, std::uint32_t b) {
         if (next == no_index) break;
         t = next / 4;
     }
-    return search_star(a, b);
+    return find_at(a, [&](std::uint32_t at) {
+        return tetrahedra[at].has(b) || contains_direction(at, a, b, next);
+    });
 }
 
-// Looks at all tetrahedra of a vertex.
-std::uint32_t FlipMesh::search_star(std::uint32_t a, std::uint32_t b) {
-    stamps_.grow(tetrahedra.size());
-    stamps_.resize(std::max(stamps_.size(), tetrahedra.size()), 0u);
-    ++search_;
-    star_.clear();
-    star_.push_back(hints[a]);
-    stamps_[hints[a]] = search_;
-    for (std::size_t i = 0; i < star_.size(); ++i) {
-        const Tetrahedron& t = tetrahedra[star_[i]];
-        std::uint32_t ignored;
-        if (t.has(b) || contains_direction(star_[i], a, b, ignored)) return star_[i];
+void FlipMesh::collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) const {
+    star.clear();
+    star.push_back(hints[v]);
+    for (std::size_t i = 0; i < star.size(); ++i)
         for (unsigned k = 0; k < 4; ++k) {
-            const std::uint32_t next = t.n[k];
-            if (t.v[k] == a || next == no_index || stamps_[next / 4] == search_) continue;
-            stamps_[next / 4] = search_;
-            star_.push_back(next / 4);
+            const Tetrahedron& t = tetrahedra[star[i]];
+            if (t.v[k] != v && std::find(star.begin(), star.end(), t.n[k] / 4) == star.end())
+                star.push_back(t.n[k] / 4);
         }
-    }
-    return no_tetrahedron;
 }
 
 void FlipMesh::undo(std::size_t state) noexcept {

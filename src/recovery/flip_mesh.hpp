@@ -23,9 +23,7 @@ class FlipMesh : public LinkedTetrahedra {
           table_(allocator),
           leaves_(allocator),
           removed_(allocator),
-          added_(allocator),
-          star_(allocator),
-          stamps_(allocator) {}
+          added_(allocator) {}
 
     const double* point(std::uint32_t v) const noexcept {
         return points_.begin() + 3 * std::size_t{v};
@@ -38,6 +36,12 @@ class FlipMesh : public LinkedTetrahedra {
     void move_point(std::uint32_t v, const double (&x)[3]) noexcept {
         for (unsigned k = 0; k < 3; ++k) points_[3 * std::size_t{v} + k] = x[k];
     }
+
+    bool is_positive(const Corners& t) const noexcept;
+    // Whether the tetrahedra of a list from element `first` on are positive.
+    bool are_positive(const Buffer<Corners>& list, std::size_t first = 0) const noexcept;
+    // Lists the tetrahedra at a vertex that is not on the hull. For small numbers of them.
+    void collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) const;
 
     // Replaces tetrahedra by others that fill the same place. Returns false, and changes nothing,
     // if the others have different outer faces.
@@ -83,7 +87,6 @@ class FlipMesh : public LinkedTetrahedra {
     bool pair_faces(const Buffer<std::uint32_t>& removed, const Buffer<Corners>& added);
     bool contains_direction(std::uint32_t t, std::uint32_t a, std::uint32_t b,
                             std::uint32_t& next) const noexcept;
-    std::uint32_t search_star(std::uint32_t a, std::uint32_t b);
     std::uint32_t new_slot();
     static Face make_face(const std::uint32_t (&v)[4], unsigned position) noexcept;
     std::uint32_t& place_of(const Face& face) noexcept;
@@ -98,8 +101,6 @@ class FlipMesh : public LinkedTetrahedra {
     Buffer<std::uint8_t> leaves_;    // marks the tetrahedra that leave
     Buffer<std::uint32_t> removed_;  // those of split()
     Buffer<Corners> added_;
-    Buffer<std::uint32_t> star_, stamps_;  // of search_star()
-    std::uint32_t search_ = 0;
 };
 
 }  // namespace mgdt

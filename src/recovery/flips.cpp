@@ -143,21 +143,15 @@ bool Flips::add_point_beside(const EdgeRing& ring, const Crossings& crossings, i
         double x[3];
         for (int k = 0; k < 3; ++k) x[k] = on_plane[k] + share * inside[k];
         const std::uint32_t z = mesh_.add_point(x);
-        bool is_positive = true;
         int sum = crossings.of_edge(z, ring.p) + crossings.of_edge(z, ring.q);
-        for (std::size_t i = 0; i < m && is_positive; ++i) {
+        for (std::size_t i = 0; i < m; ++i) {
             const std::uint32_t here = part_[i], next = part_[(i + 1) % m];
-            for (const FlipMesh::Corners& t : {FlipMesh::Corners{{ring.p, z, here, next}},
-                                               FlipMesh::Corners{{z, ring.q, here, next}}}) {
-                is_positive =
-                    is_positive && orientation(mesh_.point(t.v[0]), mesh_.point(t.v[1]),
-                                               mesh_.point(t.v[2]), mesh_.point(t.v[3])) > 0;
-                added_.push_back(t);
-            }
+            added_.push_back({{ring.p, z, here, next}});
+            added_.push_back({{z, ring.q, here, next}});
             sum += crossings.of_edge(z, here) + crossings.of_face(z, here, next) +
                    crossings.of_face(z, here, ring.p) + crossings.of_face(z, here, ring.q);
         }
-        if (is_positive) {
+        if (mesh_.are_positive(added_, size)) {
             center_new_point(mesh_, z, added_, size, center_);
             count += sum;
             return true;

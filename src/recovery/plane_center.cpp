@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "mesh/tetrahedron.hpp"
-#include "predicates/predicates.hpp"
 
 namespace mgdt {
 
@@ -97,13 +96,7 @@ void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Co
     std::copy_n(before, 3, x);
     center.approach(x);
     mesh.move_point(v, x);
-    for (std::size_t i = first; i < tetrahedra.size(); ++i) {
-        const std::uint32_t* const t = tetrahedra[i].v;
-        if (orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) > 0)
-            continue;
-        mesh.move_point(v, before);
-        return;
-    }
+    if (!mesh.are_positive(tetrahedra, first)) mesh.move_point(v, before);
 }
 
 }  // namespace mgdt

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "predicates/predicates.hpp"
 #include "recovery/flatness.hpp"
 
 namespace mgdt {
@@ -46,17 +45,11 @@ bool PointRemoval::remove(std::uint32_t v) {
 
 // Finds the tetrahedra at a vertex, and its neighbours in ascending order.
 void PointRemoval::collect_star(std::uint32_t v) {
-    star_.clear();
+    mesh_.collect_star(v, star_);
     neighbors_.clear();
-    star_.push_back(mesh_.hints[v]);
-    for (std::size_t i = 0; i < star_.size(); ++i)
-        for (unsigned k = 0; k < 4; ++k) {
-            const FlipMesh::Tetrahedron& t = mesh_.tetrahedra[star_[i]];
-            if (t.v[k] == v) continue;
-            neighbors_.push_back(t.v[k]);
-            if (std::find(star_.begin(), star_.end(), t.n[k] / 4) == star_.end())
-                star_.push_back(t.n[k] / 4);
-        }
+    for (const std::uint32_t t : star_)
+        for (const std::uint32_t neighbor : mesh_.tetrahedra[t].v)
+            if (neighbor != v) neighbors_.push_back(neighbor);
     std::sort(neighbors_.begin(), neighbors_.end());
     neighbors_.resize(static_cast<std::size_t>(std::unique(neighbors_.begin(), neighbors_.end()) -
                                                neighbors_.begin()));
@@ -90,13 +83,12 @@ double PointRemoval::move_to(std::uint32_t v, std::uint32_t target) {
         FlipMesh::Corners t;
         std::copy_n(from.v, 4, t.v);
         *std::find(t.v, t.v + 4, v) = target;
-        const double* const x[4] = {mesh_.point(t.v[0]), mesh_.point(t.v[1]), mesh_.point(t.v[2]),
-                                    mesh_.point(t.v[3])};
-        if (orientation(x[0], x[1], x[2], x[3]) <= 0) {
+        if (!mesh_.is_positive(t)) {
             added_.clear();
             return 0;
         }
-        worst = std::max(worst, flatness_of(x[0], x[1], x[2], x[3]));
+        worst = std::max(worst, flatness_of(mesh_.point(t.v[0]), mesh_.point(t.v[1]),
+                                            mesh_.point(t.v[2]), mesh_.point(t.v[3])));
         added_.push_back(t);
     }
     return worst;

@@ -3,14 +3,7 @@
 
 #include <algorithm>
 
-#include "predicates/predicates.hpp"
-
 namespace mgdt {
-
-bool SegmentChain::is_positive(const FlipMesh::Corners& t) const noexcept {
-    return orientation(mesh_.point(t.v[0]), mesh_.point(t.v[1]), mesh_.point(t.v[2]),
-                       mesh_.point(t.v[3])) > 0;
-}
 
 bool SegmentChain::recover(std::uint32_t a, std::uint32_t b) {
     const std::size_t state = mesh_.state();
@@ -50,17 +43,7 @@ bool SegmentChain::replace_edge(std::uint32_t p, std::uint32_t q, const double (
                 x[k] = on[k] + share * (0.8117 * (mesh_.point(ring_.v[i])[k] - on[k]) +
                                         0.1513 * (mesh_.point(ring_.v[(i + 1) % n])[k] - on[k]) +
                                         0.0371 * (mesh_.point(p)[k] - on[k]));
-            const std::uint32_t z = mesh_.add_point(x);
-            added_.clear();
-            for (std::size_t j = 0; j < n; ++j) {
-                const std::uint32_t here = ring_.v[j], next = ring_.v[(j + 1) % n];
-                added_.push_back({{p, z, here, next}});
-                added_.push_back({{z, q, here, next}});
-            }
-            if (std::all_of(added_.begin(), added_.end(),
-                            [&](const FlipMesh::Corners& t) { return is_positive(t); }) &&
-                mesh_.replace(ring_.tetrahedra, added_))
-                return true;
+            if (ring_.join(mesh_, mesh_.add_point(x))) return true;
             mesh_.undo(state);
         }
     return false;
@@ -109,7 +92,7 @@ bool SegmentChain::join(std::uint32_t from, std::uint32_t to, const std::uint32_
     for (int k = 0; k < 3; ++k) {
         // The corners of the face are counter-clockwise as seen from `to`.
         const FlipMesh::Corners t = {{from, to, face[k], face[(k + 1) % 3]}};
-        if (!is_positive(t)) return false;
+        if (!mesh_.is_positive(t)) return false;
         added_.push_back(t);
     }
     return mesh_.replace(removed_, added_);

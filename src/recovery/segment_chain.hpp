@@ -35,7 +35,6 @@ class SegmentChain {
     bool replace_edge(std::uint32_t p, std::uint32_t q, const double (&on)[3]);
     bool build(std::uint32_t a, std::uint32_t b, const Buffer<Crossing>& crossings);
     bool join(std::uint32_t from, std::uint32_t to, const std::uint32_t (&face)[3]);
-    bool is_positive(const FlipMesh::Corners& t) const noexcept;
 
     FlipMesh& mesh_;
     CrossingWalk walk_;

@@ -4,14 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/predicates.hpp"
-
 namespace mgdt {
-
-bool TriangleSheet::is_positive(const FlipMesh::Corners& t) const noexcept {
-    return orientation(mesh_.point(t.v[0]), mesh_.point(t.v[1]), mesh_.point(t.v[2]),
-                       mesh_.point(t.v[3])) > 0;
-}
 
 bool TriangleSheet::is_on_sheet(std::uint32_t v) const noexcept {
     return std::find(corner_, corner_ + 3, v) != corner_ + 3 ||
@@ -60,24 +53,14 @@ bool TriangleSheet::divide_edge(std::uint32_t p, std::uint32_t q) {
     if (!(t > 0) || !(t < 1)) return false;
     for (int k = 0; k < 3; ++k) x[k] = pp[k] + t * (pq[k] - pp[k]);
     const std::uint32_t s = mesh_.add_point(x);
-    added_.clear();
-    const std::size_t n = ring_.v.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::uint32_t here = ring_.v[i], next = ring_.v[(i + 1) % n];
-        added_.push_back({{p, s, here, next}});
-        added_.push_back({{s, q, here, next}});
-    }
-    if (!std::all_of(added_.begin(), added_.end(),
-                     [&](const FlipMesh::Corners& c) { return is_positive(c); }) ||
-        !mesh_.replace(ring_.tetrahedra, added_))
-        return false;
+    if (!ring_.join(mesh_, s)) return false;
     inner_.push_back(s);
     return true;
 }
 
 // Takes an inner vertex out of the sheet.
 bool TriangleSheet::withdraw(std::uint32_t s) {
-    collect_star(s);
+    mesh_.collect_star(s, star_);
     if (!find_cycle(s) || !find_sides(s)) return false;
     added_.clear();
     if (!fill_side(0, s) || !fill_side(1, s) || !mesh_.replace(star_, added_)) return false;
@@ -85,17 +68,6 @@ bool TriangleSheet::withdraw(std::uint32_t s) {
     inner_.resize(
         static_cast<std::size_t>(std::remove(inner_.begin(), inner_.end(), s) - inner_.begin()));
     return true;
-}
-
-void TriangleSheet::collect_star(std::uint32_t s) {
-    star_.clear();
-    star_.push_back(mesh_.hints[s]);
-    for (std::size_t i = 0; i < star_.size(); ++i)
-        for (unsigned k = 0; k < 4; ++k) {
-            const FlipMesh::Tetrahedron& t = mesh_.tetrahedra[star_[i]];
-            if (t.v[k] != s && std::find(star_.begin(), star_.end(), t.n[k] / 4) == star_.end())
-                star_.push_back(t.n[k] / 4);
-        }
 }
 
 // Finds the polygon of the neighbours of s in the sheet, and triangulates it. Below a face (s, x,
@@ -125,7 +97,7 @@ bool TriangleSheet::find_cycle(std::uint32_t s) {
             for (int k = 0; k < 3; ++k)
                 height += (mesh_.point(off)[k] - mesh_.point(corner_[0])[k]) * normal_[k];
             // Above, (s, here, next, off) is positive.
-            if (height > 0 && is_positive({{s, here, on, off}})) next = on;
+            if (height > 0 && mesh_.is_positive({{s, here, on, off}})) next = on;
         }
         if (next == no_index || cycle_.size() > star_.size()) return false;
         cycle_.push_back(here);
@@ -268,9 +240,7 @@ bool TriangleSheet::fill_from(std::uint32_t apex, std::uint32_t side, std::uint3
         added_.push_back(side == 1 ? FlipMesh::Corners{{a, b, c, apex}}
                                    : FlipMesh::Corners{{a, c, b, apex}});
     }
-    if (std::all_of(added_.begin() + before, added_.end(),
-                    [&](const FlipMesh::Corners& t) { return is_positive(t); }))
-        return true;
+    if (mesh_.are_positive(added_, before)) return true;
     added_.resize(before);
     return false;
 }

@@ -37,7 +37,6 @@ class TriangleSheet {
     bool build(const TriangleWalk& walk);
     bool divide_edge(std::uint32_t p, std::uint32_t q);
     bool withdraw(std::uint32_t s);
-    void collect_star(std::uint32_t s);
     bool find_cycle(std::uint32_t s);
     bool triangulate_cycle();
     double flatness(std::uint32_t a, std::uint32_t b, std::uint32_t c) const noexcept;
@@ -45,7 +44,6 @@ class TriangleSheet {
     bool fill_side(std::uint32_t side, std::uint32_t s);
     bool fill_from(std::uint32_t apex, std::uint32_t side, std::uint32_t s);
     bool is_on_sheet(std::uint32_t v) const noexcept;
-    bool is_positive(const FlipMesh::Corners& t) const noexcept;
 
     FlipMesh& mesh_;
     std::uint32_t corner_[3] = {};

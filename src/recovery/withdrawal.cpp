@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/predicates.hpp"
-
 namespace mgdt {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-bool is_positive(const FlipMesh& mesh, const FlipMesh::Corners& t) {
-    return orientation(mesh.point(t.v[0]), mesh.point(t.v[1]), mesh.point(t.v[2]),
-                       mesh.point(t.v[3])) > 0;
-}
 
 double dot(const double* a, const double* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -26,7 +19,7 @@ bool Withdrawal::run(std::uint32_t u, std::uint32_t s, std::uint32_t w) {
     u_ = u;
     s_ = s;
     w_ = w;
-    collect_star();
+    mesh_.collect_star(s, star_);
     set_frame();
     find_walls();
     if (borders_.size() > 1) return find_sectors() && fill_sectors();
@@ -65,17 +58,6 @@ bool Withdrawal::fill_sectors() {
 void Withdrawal::center_points() {
     for (const std::uint32_t z : points_)
         if (z != no_index) center_new_point(mesh_, z, added_, 0, center_);
-}
-
-void Withdrawal::collect_star() {
-    star_.clear();
-    star_.push_back(mesh_.hints[s_]);
-    for (std::size_t i = 0; i < star_.size(); ++i)
-        for (unsigned k = 0; k < 4; ++k) {
-            const FlipMesh::Tetrahedron& t = mesh_.tetrahedra[star_[i]];
-            if (t.v[k] != s_ && std::find(star_.begin(), star_.end(), t.n[k] / 4) == star_.end())
-                star_.push_back(t.n[k] / 4);
-        }
 }
 
 // Finds two directions at right angles to the axis.
@@ -214,7 +196,7 @@ bool Withdrawal::find_sectors() {
                 std::uint32_t x = no_index;
                 for (const std::uint32_t v : tet.v)
                     if (v != u_ && v != s_ && v != c) x = v;
-                return is_positive(mesh_, {{u_, s_, c, x}});
+                return mesh_.is_positive({{u_, s_, c, x}});
             });
         if (start == star_.end()) return false;
         stack_.clear();
@@ -242,7 +224,7 @@ bool Withdrawal::is_simple(std::size_t sector) const noexcept {
     return border.is_wall && next.is_wall && borders_.size() > 1 &&
            std::count(sector_of_.begin(), sector_of_.end(), static_cast<std::uint32_t>(sector)) ==
                2 &&
-           is_positive(mesh_, {{u_, w_, paths_[border.first], paths_[next.first]}});
+           mesh_.is_positive({{u_, w_, paths_[border.first], paths_[next.first]}});
 }
 
 // The direction of a sector's point, from which the walls on both sides are visible.
@@ -310,8 +292,7 @@ bool Withdrawal::fill(double share) {
             from = to;
         }
     }
-    return std::all_of(added_.begin(), added_.end(),
-                       [&](const FlipMesh::Corners& t) { return is_positive(mesh_, t); });
+    return mesh_.are_positive(added_);
 }
 
 }  // namespace mgdt

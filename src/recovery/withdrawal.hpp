@@ -43,7 +43,6 @@ class Withdrawal {
         double angle;  // around the edge from u to w, ascending
     };
 
-    void collect_star();
     void set_frame();
     double angle_of(std::uint32_t v) const noexcept;
     double distance_of(std::uint32_t v) const noexcept;  // from the axis

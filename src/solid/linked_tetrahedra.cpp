@@ -5,27 +5,6 @@
 
 namespace mgdt {
 
-std::uint32_t LinkedTetrahedra::tetrahedron_at(std::uint32_t a, std::uint32_t b) {
-    if (hints[a] == no_tetrahedron) return no_tetrahedron;
-    stamp_.grow(tetrahedra.size());
-    stamp_.resize(tetrahedra.size(), 0u);
-    ++search_;
-    star_.clear();
-    star_.push_back(hints[a]);
-    stamp_[hints[a]] = search_;
-    for (std::size_t i = 0; i < star_.size(); ++i) {
-        const Tetrahedron& t = tetrahedra[star_[i]];
-        if (t.has(b)) return star_[i];
-        for (unsigned k = 0; k < 4; ++k) {
-            const std::uint32_t next = t.n[k];
-            if (t.v[k] == a || next == no_index || stamp_[next / 4] == search_) continue;
-            stamp_[next / 4] = search_;
-            star_.push_back(next / 4);
-        }
-    }
-    return no_tetrahedron;
-}
-
 std::uint32_t LinkedTetrahedra::add(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                     std::uint32_t d) {
     const std::uint32_t t = take_slot();

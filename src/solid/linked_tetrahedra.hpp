@@ -39,7 +39,12 @@ struct LinkedTetrahedra {
     std::uint32_t apex(std::uint32_t face) const noexcept { return of(face).v[face % 4]; }
 
     // A tetrahedron with the edge between two points, or no_tetrahedron.
-    std::uint32_t tetrahedron_at(std::uint32_t a, std::uint32_t b);
+    std::uint32_t tetrahedron_at(std::uint32_t a, std::uint32_t b) {
+        return find_at(a, [&](std::uint32_t t) { return tetrahedra[t].has(b); });
+    }
+    // The first of the tetrahedra at a point for which is_wanted(t) is true, or no_tetrahedron.
+    template <class IsWanted>
+    std::uint32_t find_at(std::uint32_t point, const IsWanted& is_wanted);
 
     // Makes two faces neighbours. The second one may be no_index.
     void join(std::uint32_t face, std::uint32_t other) noexcept {
@@ -64,9 +69,31 @@ struct LinkedTetrahedra {
     Buffer<std::uint32_t> hints;  // a tetrahedron of each point, or no_tetrahedron
 
   private:
-    Buffer<std::uint32_t> star_;   // working memory of tetrahedron_at()
+    Buffer<std::uint32_t> star_;   // working memory of find_at()
     Buffer<std::uint32_t> stamp_;  // the last search that has visited each tetrahedron
     std::uint32_t search_ = 0;
 };
+
+template <class IsWanted>
+std::uint32_t LinkedTetrahedra::find_at(std::uint32_t point, const IsWanted& is_wanted) {
+    if (hints[point] == no_tetrahedron) return no_tetrahedron;
+    stamp_.grow(tetrahedra.size());
+    stamp_.resize(tetrahedra.size(), 0u);
+    ++search_;
+    star_.clear();
+    star_.push_back(hints[point]);
+    stamp_[hints[point]] = search_;
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+        if (is_wanted(star_[i])) return star_[i];
+        const Tetrahedron& t = tetrahedra[star_[i]];
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t next = t.n[k];
+            if (t.v[k] == point || next == no_index || stamp_[next / 4] == search_) continue;
+            stamp_[next / 4] = search_;
+            star_.push_back(next / 4);
+        }
+    }
+    return no_tetrahedron;
+}
 
 }  // namespace mgdt
