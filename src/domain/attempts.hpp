@@ -8,8 +8,9 @@
 
 namespace mgdt {
 
-// One way to make the mesh: the points are rounded to a grid with this many bits, and segments are
-// divided by a rule that may avoid short parts and may take long, at no more than so many points.
+// One way to make the mesh. The points are rounded to a grid with this many bits. The rule by which
+// segments are divided may avoid short parts, and may take long. The attempt ends without a mesh if
+// more than `most_points` points have to be added.
 struct Attempt {
     int bits;
     bool avoids_short_parts, may_take_long;

@@ -102,19 +102,16 @@ void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const 
     found.resize(static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin()));
     offences_ = std::move(found);
     const Offence& o = offences_[0];
-    const auto number = [&](const Offence::Item& i) {
-        return static_cast<long long>(i.index) + settings_.index_base;
-    };
     if (o.first == o.second)
         fail(otherwise, "%s %lld %s%s; %zu pairs in all offend", name_of(o.first.kind),
-             number(o.first),
+             number(o.first.index),
              o.first.kind == Offence::segment ? "has no length" : "is flat or no polygon", where,
              offences_.size());
     fail(otherwise,
          "%s %lld and %s %lld meet elsewhere than in common corners or edges%s; %zu pairs in all "
          "offend",
-         name_of(o.first.kind), number(o.first), name_of(o.second.kind), number(o.second), where,
-         offences_.size());
+         name_of(o.first.kind), number(o.first.index), name_of(o.second.kind),
+         number(o.second.index), where, offences_.size());
 }
 
 void Domain::fail_open() const {
@@ -124,9 +121,6 @@ void Domain::fail_open() const {
         fail(MGDT_ERR_OPEN_BOUNDARY,
              "the facets enclose nothing, though no facet has an edge for itself");
     const OpenEdge& e = open_edges_[0];
-    const auto number = [&](std::uint32_t index) {
-        return static_cast<long long>(index) + settings_.index_base;
-    };
     fail(MGDT_ERR_OPEN_BOUNDARY,
          "the facets enclose nothing: facet %lld alone has the edge from point %lld to point %lld; "
          "there are %zu such edges",
@@ -175,15 +169,15 @@ void Domain::run(StageProgress& progress, SolidMesh& mesh) {
     if (settings_.keeps_boundary) {
         const Stuck lost = keep(complex, progress, mesh);
         if (!lost) return;
-        const auto number = [&](std::size_t k) {
-            return static_cast<long long>(lost->ends[k]) + settings_.index_base;
-        };
         fail(MGDT_ERR_RESOLUTION,
              "the boundary cannot be kept: the edge from point %lld to point %lld, or a facet at "
              "it, is missing",
-             number(0), number(1));
+             number(lost->ends[0]), number(lost->ends[1]));
     }
-    if (!settings_.rounds_points && make_with_fewest(complex, progress, mesh)) return;
+    if (!settings_.rounds_points) {
+        if (make_with_fewest(std::move(complex), progress, mesh)) return;
+        complex = make_complex(input_, allocator_);
+    }
     Attempts attempts;
     Stuck reported;
     for (bool is_last = false; !is_last; complex = make_complex(input_, allocator_)) {
@@ -207,18 +201,15 @@ void Domain::run(StageProgress& progress, SolidMesh& mesh) {
         if (is_last && (!reported || attempt.may_take_long)) throw *refused;
         offences_.reset();
     }
-    const auto number = [&](std::size_t k) {
-        return static_cast<long long>(reported->ends[k]) + settings_.index_base;
-    };
     if (attempts.has_taken_long())
         fail(MGDT_ERR_RESOLUTION,
              "%zu points on segments do not suffice: the segment from point %lld to point %lld is "
              "missing, and more would take too long",
-             reported->steiner_points, number(0), number(1));
+             reported->steiner_points, number(reported->ends[0]), number(reported->ends[1]));
     fail(MGDT_ERR_RESOLUTION,
          "the segment from point %lld to point %lld needs points nearer to each other than double "
          "precision allows",
-         number(0), number(1));
+         number(reported->ends[0]), number(reported->ends[1]));
 }
 
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
@@ -289,32 +280,41 @@ void Domain::finish(const DomainParts& parts, SolidMesh& mesh) {
 // Makes the constrained Delaunay mesh if it needs no points, or else the mesh with the fewest: one
 // with points inside, or a constrained Delaunay one with no more points on segments. Returns false
 // if the boundary cannot be kept, so that segments have to be divided as often as necessary.
-bool Domain::make_with_fewest(const Complex& complex, StageProgress& progress, SolidMesh& mesh) {
+bool Domain::make_with_fewest(Complex complex, StageProgress& progress, SolidMesh& mesh) {
     if (complex.boundary.triangles.empty()) return false;
-    const auto is_made = [&](std::size_t most_points, SolidMesh& made) {
-        for (const int bits : {RoundingGrid::usual_bits, RoundingGrid::most_bits}) {
-            try {
-                const Attempt attempt = {bits, false, false, most_points};
-                return !mesh_on(attempt, make_complex(input_, allocator_), progress, made);
-            } catch (const Error& e) {
-                // Rounding has made the boundary invalid.
-                if (e.status != MGDT_ERR_RESOLUTION) throw;
-                offences_.reset();
-                progress.leave_behind(0.1);
-            }
-        }
-        return false;
-    };
-    if (is_made(0, mesh)) return true;
+    if (make_delaunay(std::move(complex), 0, progress, mesh)) return true;
     progress.leave_behind(0.45);
-    const bool is_lost = keep(complex, progress, mesh).has_value();
+    const bool is_lost = keep(make_complex(input_, allocator_), progress, mesh).has_value();
     progress.leave_behind(0.95);
     if (is_lost) return false;
     const std::size_t points = mesh.steiner_parameters.size();
     if (points == 0) return true;
     SolidMesh other(mesh.points.allocator());
-    if (is_made(points, other) && !other.is_rounded) mesh = std::move(other);
+    if (make_delaunay(make_complex(input_, allocator_), points, progress, other) &&
+        !other.is_rounded)
+        mesh = std::move(other);
     return true;
+}
+
+// Makes the constrained Delaunay mesh, on the usual grid or on the finest one, if so many points on
+// segments suffice.
+bool Domain::make_delaunay(Complex complex, std::size_t most_points, StageProgress& progress,
+                           SolidMesh& mesh) {
+    Attempts attempts;
+    do {
+        Attempt attempt = attempts.current();
+        attempt.most_points = most_points;
+        progress.leave_behind(attempts.share_passed());
+        try {
+            return !mesh_on(attempt, std::move(complex), progress, mesh);
+        } catch (const Error& e) {
+            // Rounding has made the boundary invalid.
+            if (e.status != MGDT_ERR_RESOLUTION) throw;
+            offences_.reset();
+        }
+        complex = make_complex(input_, allocator_);
+    } while (attempts.advance(Attempts::Result::too_coarse));
+    return false;
 }
 
 // Makes a mesh in which every triangle of a facet is one face. Its points are not rounded. If that
@@ -352,9 +352,6 @@ Domain::Stuck Domain::keep(const Complex& complex, StageProgress& progress, Soli
 }
 
 void Domain::require_all_used(const SolidMesh& mesh) const {
-    const auto number = [&](std::uint32_t index) {
-        return static_cast<long long>(index) + settings_.index_base;
-    };
     std::uint32_t facet = no_index;
     for (const std::uint32_t f : mesh.unused_faces) facet = std::min(facet, mesh.face_facets[f]);
     if (facet != no_index)

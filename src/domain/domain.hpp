@@ -89,6 +89,10 @@ class Domain {
     const Buffer<OpenEdge>& open_edges() const noexcept { return open_edges_; }
 
   private:
+    // The caller's number of a point, facet or other item.
+    long long number(std::uint32_t index) const noexcept {
+        return static_cast<long long>(index) + settings_.index_base;
+    }
     void forget_results() noexcept;
     void run(StageProgress& progress, SolidMesh& mesh);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where,
@@ -104,7 +108,9 @@ class Domain {
     };
     using Stuck = std::optional<StuckSegment>;
     Stuck keep(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
-    bool make_with_fewest(const Complex& complex, StageProgress& progress, SolidMesh& mesh);
+    bool make_with_fewest(Complex complex, StageProgress& progress, SolidMesh& mesh);
+    bool make_delaunay(Complex complex, std::size_t most_points, StageProgress& progress,
+                       SolidMesh& mesh);
     void finish(const DomainParts& parts, SolidMesh& mesh);
     Stuck mesh_on(const Attempt& attempt, Complex complex, StageProgress& progress,
                   SolidMesh& mesh);

@@ -151,8 +151,9 @@ class MeshComparison {
         }
     }
 
-    // Checks that there are as many faces as triangles of facets. If the faces cover the facets,
-    // each of these is then one face, or as many as its polygon has triangles.
+    // Checks that there are as many faces as triangles of facets. check_facets() shows that faces
+    // cover each facet. A polygon cannot be covered by fewer triangles than those into which it is
+    // divided, so each facet then has that number of faces, and a triangle is one face.
     void check_kept_facets() {
         const std::size_t faces = mesh_.face_facets.size(), triangles = facets_.of_triangle.size();
         if (faces != triangles)

@@ -17,14 +17,13 @@ struct RecoveryInput {
     Buffer<std::uint32_t> triangles;  // 3 corners for each
 };
 
-// How much is tried before a segment counts as lost: how many rings of edges are looked at in
-// removals of each depth, and after a point has been inserted; and whether segments come in the
-// opposite order.
+// How much is tried before a segment counts as lost. Flips look at the ring of tetrahedra around
+// an edge, so their work is counted in rings.
 struct RecoveryEffort {
-    std::size_t rings[Flips::most_depth + 1];
-    std::size_t rings_of_point;
-    std::size_t most_rings;  // in all, for each missing segment
-    bool reverses;
+    std::size_t rings[Flips::most_depth + 1];  // for a segment, by the depth of the flips
+    std::size_t rings_of_point;                // for the flips that follow the insertion of a point
+    std::size_t most_rings;                    // in all, for each missing segment
+    bool reverses;                             // whether the longest segments come first
 };
 
 class BoundaryRecovery {
@@ -32,7 +31,7 @@ class BoundaryRecovery {
     BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input, const RecoveryEffort& effort,
                      const StopRequest& stop, Allocator& allocator);
 
-    // Returns whether everything was recovered.
+    // Recovers segments and triangles. Returns false if one of them is lost.
     bool run();
 
     // The ends of a segment that is missing, or those of a side of a triangle that is.

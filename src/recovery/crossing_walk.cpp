@@ -70,7 +70,8 @@ CrossingWalk::Step CrossingWalk::leave_face(const Crossing& from) {
     const std::uint32_t t = code / 4, d = mesh_.apex(code);
     if (d == b_) return meet(d);
     const int turns[3] = {turn(d, v[0]), turn(d, v[1]), turn(d, v[2])};
-    // The segment leaves through the side of the face that is opposite of d, as seen along it.
+    // Seen along the segment, d is beside the point where the segment crosses the face. The segment
+    // leaves through the tetrahedron's face at d and at the opposite side of that face.
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
         if (turns[k] < 0 || turns[next] > 0) continue;

@@ -93,7 +93,8 @@ bool Flips::turn_edge(std::uint32_t p, std::uint32_t q, const Crossings& crossin
     return false;
 }
 
-// Fills the side of a ring from one vertex to a later one, and adds its crossings to `count`.
+// Fills the part of a ring between two of its vertices, and adds the number of times that the
+// filling is crossed to `count`. Returns false if there is no filling.
 bool Flips::fill_side(const EdgeRing& ring, std::size_t from, std::size_t to,
                       const Crossings& crossings, int& count) {
     const std::size_t n = ring.v.size();

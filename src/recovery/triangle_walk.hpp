@@ -20,7 +20,7 @@ class TriangleWalk {
 
     Result run(const std::uint32_t (&v)[3]);
 
-    // The ends of each edge that crosses the triangle.
+    // An edge of the mesh that crosses the triangle.
     struct Edge {
         std::uint32_t p, q;  // p < q
         friend bool operator<(const Edge& e, const Edge& f) {

@@ -59,7 +59,8 @@ struct SolidMesh {
     Buffer<std::int32_t> edge_markers;
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
-    // Whether the mesh is that of a domain, which has all points, and these are on the grid.
+    // Whether a domain made the mesh and nothing has changed it since. Then it has all points of
+    // the domain, and `exact_points` are on the grid.
     bool is_of_domain = true;
     bool is_delaunay = true;    // whether it is constrained Delaunay
     bool keeps_facets = false;  // whether each triangle of the domain's facets is one face
