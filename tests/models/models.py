@@ -220,6 +220,27 @@ class Suite:
             seconds["cdt"] = made.seconds
 
 
+FAMILIES = {
+    "CGAL's demos": ("cgal-", "dragon"),
+    "solids of Gmsh and Open Cascade": ("gmsh-", "occt-"),
+    "OpenSCAD's examples": ("scad-", "openscad-"),
+    "random unions and differences": ("csg-",),
+    "STL files": ("stl-models",),
+}
+
+
+def table(models: list[Model], names: list[str]) -> None:
+    """By family, of the surfaces that all programs mesh: numbers, points, Steiner points, seconds."""
+    keys = ["mgdt", *names]
+    print("\n| surfaces | number | points | Steiner points: " + " | ".join(keys) + " | seconds: " + " | ".join(keys) + " |")
+    print("|---|---|---|" + 2 * len(keys) * "---|")
+    for family, prefixes in FAMILIES.items():
+        of = [m for m in models if m.name.startswith(prefixes) and all(k in m.steiner for k in keys)]
+        cells = [family, str(len(of)), f"{sum(m.points for m in of):,}"]
+        cells += [f"{sum(m.steiner[k] for m in of):,}" for k in keys] + [f"{sum(m.seconds[k] for m in of):.1f}" for k in keys]
+        print("| " + " | ".join(cells) + " |")
+
+
 def summary(models: list[Model], names: list[str]) -> None:
     meshed = [m for m in models if m.outcome == "meshed"]
     count = {word: sum(m.outcome == word for m in models) for word in ("invalid", "open", "meshed")}
@@ -270,6 +291,7 @@ def main() -> None:
         figures = "  ".join(f"{model.steiner.get(k, '-'):>6} {model.seconds.get(k, 0):6.2f}" for k in ["mgdt", *names])
         print(f"{model.name[:40]:40} {model.points:7} {model.facets:7}  "
               f"{figures if model.outcome == 'meshed' else model.outcome}", flush=True)
+    table([m for m in models if m.outcome == "meshed"], names)
     summary(models, names)
     wrong = [m for m in models if m.outcome not in ("meshed", "open", "invalid")]
     if len(models) < options.least:
