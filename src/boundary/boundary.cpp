@@ -26,6 +26,16 @@ BoundingBox Boundary::box(std::size_t i) const noexcept {
     return box_of(simplex(i));
 }
 
+void find_lone_points(Boundary& boundary, Allocator& allocator) {
+    Buffer<std::uint8_t> is_used(allocator);
+    is_used.resize(boundary.points.size() / 3, std::uint8_t{0});
+    for (const std::uint32_t v : boundary.triangles) is_used[v] = 1;
+    for (const std::uint32_t v : boundary.segments) is_used[v] = 1;
+    boundary.lone_points.clear();
+    for (std::uint32_t v = 0; v < is_used.size(); ++v)
+        if (is_used[v] == 0) boundary.lone_points.push_back(v);
+}
+
 BoundingBox box_of(const Simplex& s) noexcept {
     BoundingBox box(s.x[0]);
     for (int c = 1; c < s.size; ++c) box.include(BoundingBox(s.x[c]));

@@ -28,4 +28,7 @@ struct Boundary {
     Buffer<std::uint32_t> lone_points;  // the points that no triangle or segment has
 };
 
+// Sets the lone points.
+void find_lone_points(Boundary& boundary, Allocator& allocator);
+
 }  // namespace mgdt

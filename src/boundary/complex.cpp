@@ -66,18 +66,17 @@ bool are_distinct(const Buffer<double>& points, Allocator& allocator) {
 }
 
 Complex make_complex(const DomainInput& input, Allocator& allocator) {
+    return make_complex(input.points, input, allocator);
+}
+
+Complex make_complex(const Buffer<double>& points, const DomainInput& input, Allocator& allocator) {
     Complex complex(allocator);
-    join_equal_points(input.points, complex, allocator);
+    join_equal_points(points, complex, allocator);
     divide_facets(input, complex, allocator);
     Boundary& boundary = complex.boundary;
     for (const std::uint32_t end : input.segments)
         boundary.segments.push_back(complex.number_of_point[end]);
-    Buffer<std::uint8_t> is_used(allocator);
-    is_used.resize(boundary.points.size() / 3, std::uint8_t{0});
-    for (const std::uint32_t v : boundary.triangles) is_used[v] = 1;
-    for (const std::uint32_t v : boundary.segments) is_used[v] = 1;
-    for (std::uint32_t v = 0; v < is_used.size(); ++v)
-        if (is_used[v] == 0) boundary.lone_points.push_back(v);
+    find_lone_points(boundary, allocator);
     return complex;
 }
 

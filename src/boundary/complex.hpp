@@ -29,5 +29,7 @@ bool are_distinct(const Buffer<double>& points, Allocator& allocator);
 
 // Makes the complex of an input: joins equal points, and divides facets into triangles.
 Complex make_complex(const DomainInput& input, Allocator& allocator);
+// The same with other coordinates of the points.
+Complex make_complex(const Buffer<double>& points, const DomainInput& input, Allocator& allocator);
 
 }  // namespace mgdt

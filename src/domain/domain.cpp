@@ -30,6 +30,7 @@ std::uint64_t most_work(std::size_t points, bool may_take_long) {
 void Domain::clear() noexcept {
     stop_.forget();
     forget_results();
+    forget_cleaning();
     input_ = DomainInput(allocator_);
 }
 
@@ -40,6 +41,7 @@ void Domain::forget_results() noexcept {
 
 void Domain::set_points(Buffer<double>&& points) noexcept {
     forget_results();
+    forget_cleaning();
     for (Buffer<std::uint32_t>* const of : {&input_.facet_begin, &input_.corners, &input_.segments})
         of->reset();
     input_.facet_markers.reset();
@@ -50,6 +52,7 @@ void Domain::set_points(Buffer<double>&& points) noexcept {
 void Domain::set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& corners,
                         Buffer<std::int32_t>&& markers) noexcept {
     forget_results();
+    forget_cleaning();
     input_.facet_begin = std::move(begin);
     input_.corners = std::move(corners);
     input_.facet_markers = std::move(markers);
@@ -57,8 +60,42 @@ void Domain::set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& c
 
 void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& markers) noexcept {
     forget_results();
+    forget_cleaning();
     input_.segments = std::move(ends);
     input_.segment_markers = std::move(markers);
+}
+
+void Domain::clean() {
+    const StopFlag::Call call(stop_);
+    StageProgress progress(settings_, stop_);
+    Team team(thread_count(settings_));
+    CleanedFacets made = mgdt::clean(input_, settings_.distances, team, allocator_, progress);
+    CleaningRecord record(allocator_);
+    record.counts = made.counts;
+    Buffer<std::int32_t> facet_markers(allocator_), segment_markers(allocator_);
+    for (const std::uint32_t f : made.facet_origins) {
+        facet_markers.push_back(input_.facet_markers[f]);
+        record.facet_origins.push_back(facet_origin(f));
+    }
+    for (const std::uint32_t s : made.segment_origins) {
+        segment_markers.push_back(input_.segment_markers[s]);
+        record.segment_origins.push_back(segment_origin(s));
+    }
+    record.covered.copy(cleaned_.covered);
+    for (const CoveredFacet& c : made.covered)
+        record.covered.push_back({facet_origin(c.facet), facet_origin(c.by)});
+    std::sort(record.covered.begin(), record.covered.end());
+    record.covered.resize(static_cast<std::size_t>(
+        std::unique(record.covered.begin(), record.covered.end()) - record.covered.begin()));
+    progress.finish();
+    forget_results();
+    cleaned_ = std::move(record);
+    input_.points = std::move(made.points);
+    input_.facet_begin = std::move(made.facet_begin);
+    input_.corners = std::move(made.corners);
+    input_.facet_markers = std::move(facet_markers);
+    input_.segments = std::move(made.segments);
+    input_.segment_markers = std::move(segment_markers);
 }
 
 void Domain::validate() {

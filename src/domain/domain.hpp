@@ -11,6 +11,7 @@
 #include "boundary/boundary_edges.hpp"
 #include "boundary/complex.hpp"
 #include "boundary/validation.hpp"
+#include "cleaning/cleaning.hpp"
 #include "domain/attempts.hpp"
 #include "domain/mesh_assembly.hpp"
 #include "platform/stage_progress.hpp"
@@ -23,6 +24,19 @@ struct DomainSettings : CallSettings {
     bool keeps_boundary = false;       // every triangle of a facet is to be one face
     bool is_strict = false;            // refuses a mesh that leaves out what was set
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
+    CleaningDistances distances;
+};
+
+// What cleaning has made of the facets and segments that the caller set last. Origins are empty if
+// nothing has been cleaned.
+struct CleaningRecord {
+    explicit CleaningRecord(Allocator& allocator)
+        : facet_origins(allocator), segment_origins(allocator), covered(allocator) {}
+
+    Buffer<std::uint32_t> facet_origins;    // the caller's facet that each facet is a part of
+    Buffer<std::uint32_t> segment_origins;  // the same for segments
+    Buffer<CoveredFacet> covered;           // facets of the caller
+    CleaningCounts counts;
 };
 
 // A pair of facets, segments or points of the caller that meet elsewhere than in a common corner or
@@ -54,10 +68,11 @@ class Domain {
         : allocator_(alloc, release, user),
           input_(allocator_),
           offences_(allocator_),
-          open_edges_(allocator_) {}
+          open_edges_(allocator_),
+          cleaned_(allocator_) {}
 
     // Setting points removes facets and segments. A change of points, facets or segments removes
-    // the offences and the open edges.
+    // the offences, the open edges and the record of cleaning.
     void set_points(Buffer<double>&& points) noexcept;
     void set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& corners,
                     Buffer<std::int32_t>&& markers) noexcept;
@@ -71,6 +86,8 @@ class Domain {
 
     // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
     void validate();
+    // Cleans facets and segments (cleaning.hpp). If the call throws, nothing has changed.
+    void clean();
     // Validates the boundary, and makes the mesh. If the call throws, the mesh is empty:
     // MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing, other Errors and std::bad_alloc.
     void build(SolidMesh& mesh);
@@ -87,6 +104,14 @@ class Domain {
     const DomainInput& input() const noexcept { return input_; }
     const Buffer<Offence>& offences() const noexcept { return offences_; }
     const Buffer<OpenEdge>& open_edges() const noexcept { return open_edges_; }
+    const CleaningRecord& cleaned() const noexcept { return cleaned_; }
+    // The caller's facet or segment that one of the input is a part of.
+    std::uint32_t facet_origin(std::uint32_t f) const noexcept {
+        return cleaned_.facet_origins.empty() ? f : cleaned_.facet_origins[f];
+    }
+    std::uint32_t segment_origin(std::uint32_t s) const noexcept {
+        return cleaned_.segment_origins.empty() ? s : cleaned_.segment_origins[s];
+    }
 
   private:
     // The caller's number of a point, facet or other item.
@@ -94,6 +119,7 @@ class Domain {
         return static_cast<long long>(index) + settings_.index_base;
     }
     void forget_results() noexcept;
+    void forget_cleaning() noexcept { cleaned_ = CleaningRecord(allocator_); }
     void run(StageProgress& progress, SolidMesh& mesh);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where,
                        StageProgress& progress);
@@ -120,6 +146,7 @@ class Domain {
     DomainInput input_;
     Buffer<Offence> offences_;
     Buffer<OpenEdge> open_edges_;
+    CleaningRecord cleaned_;
     mutable StopFlag stop_;
 };
 
