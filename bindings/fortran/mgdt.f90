@@ -113,11 +113,21 @@ module mgdt
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
               mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &
-              mgdt_domain_option_strict, mgdt_domain_option_keep_boundary
+              mgdt_domain_option_strict, mgdt_domain_option_keep_boundary, &
+              mgdt_domain_option_weld, mgdt_domain_option_flatness
     public :: mgdt_domain_stat_points, mgdt_domain_stat_facets, mgdt_domain_stat_segments, &
               mgdt_domain_stat_regions, mgdt_domain_stat_holes, mgdt_domain_stat_memory_bytes, &
-              mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
-    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges
+              mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges, &
+              mgdt_domain_stat_moved_points, mgdt_domain_stat_repeated_corners, &
+              mgdt_domain_stat_collapsed_facets, mgdt_domain_stat_covered_facets, &
+              mgdt_domain_stat_points_in_edges, mgdt_domain_stat_points_in_facets, &
+              mgdt_domain_stat_edges_in_facets, mgdt_domain_stat_exchanged_edges
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
+              mgdt_domain_array_facet_offsets, mgdt_domain_array_facet_corners, &
+              mgdt_domain_array_facet_markers, mgdt_domain_array_facet_origins, &
+              mgdt_domain_array_covered_facets, mgdt_domain_array_segments, &
+              mgdt_domain_array_segment_markers, mgdt_domain_array_segment_origins, &
+              mgdt_domain_array_points
     public :: mgdt_periodic_option_index_base, mgdt_periodic_option_threads, &
               mgdt_periodic_option_memory_limit
     public :: mgdt_periodic_stat_points, mgdt_periodic_stat_vertices, &

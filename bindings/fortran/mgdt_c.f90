@@ -665,6 +665,22 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: value
             integer(c_int32_t) :: status
         end function
+        function c_domain_set_double_option(d, option, value) result(status) &
+            bind(c, name='mgdt_domain_set_double_option')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: option
+            real(c_double), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_double_option(d, option, value) result(status) &
+            bind(c, name='mgdt_domain_get_double_option')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: option
+            real(c_double), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
         function c_domain_set_progress(d, fn, user) result(status) &
             bind(c, name='mgdt_domain_set_progress')
             import :: c_funptr, c_int32_t, c_ptr
@@ -710,6 +726,11 @@ module mgdt_c
             real(c_double), intent(in) :: xyz(*)
             integer(c_int32_t) :: status
         end function
+        function c_domain_clean(d) result(status) bind(c, name='mgdt_domain_clean')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
         function c_domain_validate(d) result(status) bind(c, name='mgdt_domain_validate')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: d
@@ -749,6 +770,15 @@ module mgdt_c
             type(c_ptr), value :: d
             integer(c_int32_t), value :: array
             integer(c_int64_t), intent(inout) :: size
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_doubles(d, array, capacity, values) result(status) &
+            bind(c, name='mgdt_domain_get_doubles')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: status
         end function
         function c_domain_get_error(d, capacity, buffer) result(status) &

@@ -484,13 +484,20 @@ module mgdt_constants
     ! edge of a facet one edge, with the caller's coordinates, and Steiner points are inside of the
     ! domain only. 0 (default) to divide segments where that is necessary. Since 1.4.
     integer, parameter :: mgdt_domain_option_keep_boundary = 60
+    ! A double: the distance within which mgdt_domain_clean() takes places for one place, as a share
+    ! of the size of the points, which is the diagonal of their box. 0 (default) for equal places
+    ! only, otherwise less than 0.1. Since 1.4.
+    integer, parameter :: mgdt_domain_option_weld = 70
+    ! A double: the distance within which mgdt_domain_clean() takes facets of one marker for facets
+    ! in one plane, as a share of the same size. 0 (default) for facets that are exactly in one
+    ! plane, otherwise less than 0.1. Since 1.4.
+    integer, parameter :: mgdt_domain_option_flatness = 80
 
     ! Numbers.
     ! Points that were set.
     integer, parameter :: mgdt_domain_stat_points = 100
-    ! Facets that were set.
+    ! Facets and segments that were set, or that mgdt_domain_clean() has made of them.
     integer, parameter :: mgdt_domain_stat_facets = 101
-    ! Segments that were set.
     integer, parameter :: mgdt_domain_stat_segments = 102
     ! Places of regions that were set.
     integer, parameter :: mgdt_domain_stat_regions = 103
@@ -502,6 +509,22 @@ module mgdt_constants
     integer, parameter :: mgdt_domain_stat_offending_pairs = 120
     ! Edges in MGDT_DOMAIN_ARRAY_OPEN_EDGES.
     integer, parameter :: mgdt_domain_stat_open_edges = 121
+    ! Points that were moved to others. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_moved_points = 130
+    ! Corners that were left out. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_repeated_corners = 131
+    ! Facets of which nothing is left, because their corners are on a line. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_collapsed_facets = 132
+    ! Pairs in MGDT_DOMAIN_ARRAY_COVERED_FACETS. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_covered_facets = 133
+    ! Pairs of an edge and a point in it that has divided it. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_points_in_edges = 134
+    ! Pairs of a triangle of a facet and a point inside of it that has divided it. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_points_in_facets = 135
+    ! Edges of other facets, and segments, that facets have taken in. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_edges_in_facets = 136
+    ! Edges between triangles in one plane that were exchanged for others. Since 1.4.
+    integer, parameter :: mgdt_domain_stat_exchanged_edges = 137
 
     ! Arrays.
     ! Four elements for each offending pair: a kind (MGDT_DOMAIN_KIND_FACET and so on) and a number,
@@ -512,6 +535,25 @@ module mgdt_constants
     ! and the facet. They are found if there are no offending pairs. Facets that bound nothing have
     ! such edges too.
     integer, parameter :: mgdt_domain_array_open_edges = 210
+    ! Offsets and corners of the facets, as mgdt_domain_set_facets() takes them.
+    integer, parameter :: mgdt_domain_array_facet_offsets = 220
+    integer, parameter :: mgdt_domain_array_facet_corners = 221
+    ! The marker of each facet.
+    integer, parameter :: mgdt_domain_array_facet_markers = 222
+    ! For each facet the one of the facets that were set that it is, or is a part of. Where edges
+    ! between facets in one plane were exchanged, it is one of these facets.
+    integer, parameter :: mgdt_domain_array_facet_origins = 223
+    ! Two elements for each pair of facets that were set: one that is covered by another facet,
+    ! wholly or in part, and that other facet, which stays in its place.
+    integer, parameter :: mgdt_domain_array_covered_facets = 224
+    ! Two points for each segment.
+    integer, parameter :: mgdt_domain_array_segments = 230
+    ! The marker of each segment.
+    integer, parameter :: mgdt_domain_array_segment_markers = 231
+    ! For each segment the one that was set that it is, or is a part of.
+    integer, parameter :: mgdt_domain_array_segment_origins = 232
+    ! Doubles: three coordinates for each point.
+    integer, parameter :: mgdt_domain_array_points = 300
 
     ! Options.
     ! 0 (default) or 1. It applies to indices that are given or read later.

@@ -24,11 +24,21 @@ module mgdt_domain
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
               mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &
-              mgdt_domain_option_strict, mgdt_domain_option_keep_boundary
+              mgdt_domain_option_strict, mgdt_domain_option_keep_boundary, &
+              mgdt_domain_option_weld, mgdt_domain_option_flatness
     public :: mgdt_domain_stat_points, mgdt_domain_stat_facets, mgdt_domain_stat_segments, &
               mgdt_domain_stat_regions, mgdt_domain_stat_holes, mgdt_domain_stat_memory_bytes, &
-              mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges
-    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges
+              mgdt_domain_stat_offending_pairs, mgdt_domain_stat_open_edges, &
+              mgdt_domain_stat_moved_points, mgdt_domain_stat_repeated_corners, &
+              mgdt_domain_stat_collapsed_facets, mgdt_domain_stat_covered_facets, &
+              mgdt_domain_stat_points_in_edges, mgdt_domain_stat_points_in_facets, &
+              mgdt_domain_stat_edges_in_facets, mgdt_domain_stat_exchanged_edges
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
+              mgdt_domain_array_facet_offsets, mgdt_domain_array_facet_corners, &
+              mgdt_domain_array_facet_markers, mgdt_domain_array_facet_origins, &
+              mgdt_domain_array_covered_facets, mgdt_domain_array_segments, &
+              mgdt_domain_array_segment_markers, mgdt_domain_array_segment_origins, &
+              mgdt_domain_array_points
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
               mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
               mgdt_mesh_option_points, mgdt_mesh_option_mean_passes, &
@@ -65,7 +75,7 @@ module mgdt_domain
         type(c_ptr) :: handle = c_null_ptr
         type(progress_box), pointer :: progress => null()
     contains
-        procedure :: clear, cancel, validate, build, check, statistic
+        procedure :: clear, cancel, clean, validate, build, check, statistic
         procedure, private :: set_points_1, set_points_2
         generic :: set_points => set_points_1, set_points_2
         procedure, private :: set_facets_i32, set_facets_i64, set_polygons_i32, set_polygons_i64
@@ -75,13 +85,13 @@ module mgdt_domain
         generic :: set_segments => set_segments_i32, set_segments_i64
         procedure :: set_regions, set_holes
         procedure :: set_progress, remove_progress
-        procedure, private :: set_option_i32, set_option_i64
-        generic :: set_option => set_option_i32, set_option_i64
-        procedure :: get_option
+        procedure, private :: set_option_i32, set_option_i64, set_option_real
+        generic :: set_option => set_option_i32, set_option_i64, set_option_real
+        procedure :: get_option, get_double_option
         procedure :: array_size
         procedure, nopass :: columns
-        procedure, private :: get_i32_1, get_i32_2, get_i64_1, get_i64_2
-        generic :: get => get_i32_1, get_i32_2, get_i64_1, get_i64_2
+        procedure, private :: get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
+        generic :: get => get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
         procedure :: is_created, destroy, c_handle
         procedure, private :: assign
         generic :: assignment(=) => assign
@@ -155,6 +165,18 @@ contains
         call make(self, status)
         if (status == mgdt_ok) status = c_domain_cancel(self%handle)
         call finish(self, 'cancel', status, stat, errmsg)
+    end subroutine
+
+    ! Mends what needs no new points: repeated, collapsed and equal facets, and points and edges in facets. Since 1.4.
+    subroutine clean(self, stat, errmsg)
+        class(mgdt_domain_input), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        call make(self, status)
+        if (status == mgdt_ok) status = c_domain_clean(self%handle)
+        call finish(self, 'clean', status, stat, errmsg)
     end subroutine
 
     ! Finds all facets, segments and points that cross or touch where they must not.
@@ -277,6 +299,35 @@ contains
         value = 0
         status = c_domain_get_option(self%handle, to_c(option), value)
         call finish(self, 'get_option', status, stat, errmsg)
+    end function
+
+    ! option is an mgdt_domain_option_ constant whose value is a double. Since 1.4.
+    subroutine set_option_real(self, option, value, stat, errmsg)
+        class(mgdt_domain_input), intent(inout) :: self
+        integer, intent(in) :: option
+        real(real64), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_domain_set_double_option(self%handle, to_c(option), value)
+        call finish(self, 'set_option', status, stat, errmsg)
+    end subroutine
+
+    ! The value of an option that is a double. Since 1.4.
+    function get_double_option(self, option, stat, errmsg) result(value)
+        class(mgdt_domain_input), intent(in) :: self
+        integer, intent(in) :: option
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(real64) :: value
+        integer(c_int32_t) :: status
+
+        value = 0
+        status = c_domain_get_double_option(self%handle, to_c(option), value)
+        call finish(self, 'get_double_option', status, stat, errmsg)
     end function
 
     ! One of the numbers, by an mgdt_domain_stat_ constant.
@@ -681,6 +732,64 @@ contains
                 return
             end if
             status = c_domain_get_array_i64( &
+                self%handle, to_c(array), n, found)
+        end if
+        if (status == mgdt_ok) call move_alloc(found, values)
+        call finish(self, 'get', status, stat, errmsg)
+    end subroutine
+
+    subroutine get_real_1(self, array, values, stat, errmsg)
+        class(mgdt_domain_input), intent(in) :: self
+        integer, intent(in) :: array
+        real(real64), allocatable, intent(inout) :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: found(:)
+        integer(c_int64_t) :: n
+        integer(c_int32_t) :: status
+        integer :: failed
+
+        n = 0
+        status = c_domain_get_size(self%handle, to_c(array), n)
+        if (status == mgdt_ok) then
+            allocate (found(n), stat=failed)
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_domain_get_doubles( &
+                self%handle, to_c(array), n, found)
+        end if
+        if (status == mgdt_ok) call move_alloc(found, values)
+        call finish(self, 'get', status, stat, errmsg)
+    end subroutine
+
+    subroutine get_real_2(self, array, values, stat, errmsg)
+        class(mgdt_domain_input), intent(in) :: self
+        integer, intent(in) :: array
+        real(real64), allocatable, intent(inout) :: values(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: found(:, :)
+        integer(c_int64_t) :: n
+        integer(c_int32_t) :: status
+        integer :: width, failed
+
+        width = columns(array)
+        if (width == 1) then
+            call refuse('get', 'the array has one dimension', stat, errmsg)
+            return
+        end if
+        width = max(width, 1)
+        n = 0
+        status = c_domain_get_size(self%handle, to_c(array), n)
+        if (status == mgdt_ok) then
+            allocate (found(width, n/width), stat=failed)
+            if (failed /= 0) then
+                call no_memory('get', stat, errmsg)
+                return
+            end if
+            status = c_domain_get_doubles( &
                 self%handle, to_c(array), n, found)
         end if
         if (status == mgdt_ok) call move_alloc(found, values)

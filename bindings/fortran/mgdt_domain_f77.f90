@@ -50,7 +50,7 @@ subroutine mgdclr(h, ierr)
     ierr = c_domain_clear(handle_of(h, of_domain))
 end subroutine
 
-! Option KEY, MGDBAS to MGDSTR.
+! Option KEY, MGDBAS to MGDKPB.
 subroutine mgdopt(h, key, ival, ierr)
     use mgdt_f77_support
     implicit none
@@ -75,6 +75,30 @@ subroutine mgdgop(h, key, ival, ierr)
 
     ierr = c_domain_get_option(handle_of(h, of_domain), to_c(key), found)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_domain), ival, ierr)
+end subroutine
+
+! Option KEY whose value is a real number: MGDWLD or MGDFLT. Since 1.4.
+subroutine mgdopr(h, key, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: key
+    real(c_double), intent(in) :: x
+    integer, intent(out) :: ierr
+
+    ierr = c_domain_set_double_option(handle_of(h, of_domain), to_c(key), x)
+end subroutine
+
+! The value of such an option. Since 1.4.
+subroutine mgdgor(h, key, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: key
+    real(c_double), intent(inout) :: x
+    integer, intent(out) :: ierr
+
+    ierr = c_domain_get_double_option(handle_of(h, of_domain), to_c(key), x)
 end subroutine
 
 ! The most memory that the domain may hold, in bytes; 0 for no limit. A real number, since a limit
@@ -127,7 +151,7 @@ subroutine mgdnpr(h, ierr)
     ierr = c_domain_set_progress(handle_of(h, of_domain), c_null_funptr, c_null_ptr)
 end subroutine
 
-! Stops the running MGDBLD or MGDVAL, or the next one.
+! Stops the running MGDBLD, MGDCLN or MGDVAL, or the next one.
 subroutine mgdcan(h, ierr)
     use mgdt_f77_support
     implicit none
@@ -231,6 +255,17 @@ subroutine mgdhol(h, n, xyz, ierr)
     ierr = c_domain_set_holes(handle_of(h, of_domain), int(n, c_int64_t), xyz)
 end subroutine
 
+! Mends what needs no new points: repeated, collapsed and equal facets, and points and edges in
+! facets. Since 1.4.
+subroutine mgdcln(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(out) :: ierr
+
+    ierr = c_domain_clean(handle_of(h, of_domain))
+end subroutine
+
 ! Finds all facets, segments and points that cross or touch where they must not: array MGDPAI.
 subroutine mgdval(h, ierr)
     use mgdt_f77_support
@@ -266,7 +301,7 @@ subroutine mgdchk(h, hg, ierr)
     ierr = c_domain_check(handle_of(h, of_domain), handle_of(hg, of_mesh))
 end subroutine
 
-! One of the numbers MGDNPT to MGDNOE.
+! One of the numbers MGDNPT to MGDNXE.
 subroutine mgdnum(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -295,7 +330,7 @@ subroutine mgdinf(key, ncol, ireal, ierr)
     ireal = is_double
 end subroutine
 
-! Number of elements N of array KEY, MGDPAI or MGDOED.
+! Number of elements N of array KEY, MGDPAI to MGDPTS.
 subroutine mgdsiz(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -309,7 +344,7 @@ subroutine mgdsiz(h, key, n, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_domain), n, ierr)
 end subroutine
 
-! Array KEY of integers, MGDPAI or MGDOED: IARR(MAXN).
+! Array KEY of integers, MGDPAI to MGDSOR: IARR(MAXN).
 subroutine mgdarr(h, key, maxn, iarr, ierr)
     use mgdt_f77_support
     implicit none
@@ -321,6 +356,20 @@ subroutine mgdarr(h, key, maxn, iarr, ierr)
 
     if (integers_differ(h, ierr, maxn)) return
     ierr = c_domain_get_array(handle_of(h, of_domain), to_c(key), int(maxn, c_int64_t), iarr)
+end subroutine
+
+! Array KEY of reals, MGDPTS: X(MAXN). Since 1.4.
+subroutine mgddbl(h, key, maxn, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: key
+    integer, intent(in) :: maxn
+    real(c_double), intent(inout) :: x(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxn)) return
+    ierr = c_domain_get_doubles(handle_of(h, of_domain), to_c(key), int(maxn, c_int64_t), x)
 end subroutine
 
 ! Message of the last call that failed on the domain; blank if there was none.

@@ -715,7 +715,7 @@ local domain = require "mgdt.domain"
 local mesh = require "mgdt.mesh"
 local periodic = require "mgdt.periodic"
 local mgdt = { status = status, order_schemes = {}, Triangulation = Triangulation,
-    domain_mesh = domain.domain_mesh, mesh = mesh.mesh, offending_pairs = domain.offending_pairs,
+    domain_mesh = domain.domain_mesh, clean_surface = domain.clean_surface, mesh = mesh.mesh, offending_pairs = domain.offending_pairs,
     periodic_box = periodic.periodic_box }
 do
     local scheme = ffi.new("int32_t[1]")

@@ -2,11 +2,12 @@
 
 % [given_values, progress, check] = mgdt_domain_arguments (points, facets, NAME, VALUE, ...)
 %
-% What mgdt_domain_mesh and mgdt_offending_pairs take, in the order of mgdt_mex. For these two alone.
+% What mgdt_domain_mesh, mgdt_clean_surface and mgdt_offending_pairs take, in the order of mgdt_mex. For these
+% alone.
 function [given_values, progress, check] = mgdt_domain_arguments (points, facets, varargin)
   given = struct ("markers", [], "segments", [], "segment_markers", [], "holes", [], "regions", [], ...
-                  "rounded", false, "strict", false, "keep_boundary", false, "threads", 1, "memory_limit", 0, "progress", [], ...
-                  "check", false);
+                  "rounded", false, "strict", false, "keep_boundary", false, "clean", false, "weld", 0, ...
+                  "flatness", 0, "threads", 1, "memory_limit", 0, "progress", [], "check", false);
   if (mod (numel (varargin), 2) != 0)
     error ("mgdt:invalid_argument", "mgdt: a setting has no value");
   end
@@ -35,7 +36,8 @@ function [given_values, progress, check] = mgdt_domain_arguments (points, facets
   regions = reshape (double (given.regions), [], 4);
   given_values = {double(points), offsets, corners, double(given.markers(:)), double(vec (given.segments')), ...
                double(given.segment_markers(:)), double(given.holes), regions(:,1:3), regions(:,4), ...
-               double(given.rounded), double(given.strict), double(given.keep_boundary), given.threads, given.memory_limit};
+               double(given.rounded), double(given.strict), double(given.keep_boundary), ...
+               double(given.clean), given.weld, given.flatness, given.threads, given.memory_limit};
   progress = given.progress;
   check = given.check;
 end

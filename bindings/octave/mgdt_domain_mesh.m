@@ -20,6 +20,9 @@
 % "rounded"          true for points that are rounded, so that facets are covered exactly
 % "strict"           true to refuse a mesh that leaves out points, facets, regions or holes
 % "keep_boundary"    true to put points inside only: each triangle of a facet is one face
+% "clean"            true to clean facets and segments before, as mgdt_clean_surface does
+% "weld"             see mgdt_clean_surface; if it is not 0, facets and segments are cleaned
+% "flatness"         the same
 % "threads"          0 for all cores
 % "memory_limit"     bytes, 0 for none
 % "progress"         a function that hears of the fraction done; true cancels
@@ -29,13 +32,13 @@
 % was given, or 0); tetrahedra and neighbours (t x 4), tetrahedron_regions, volumes, and region_markers (of
 % each region); faces (f x 3), face_tetrahedra (f x 2), face_facets and face_markers; edges (e x 2),
 % edge_segments and edge_markers; steiner_edges (q x 2) and steiner_parameters; open_edges (o x 3);
-% is_rounded. mgdt/mgdt_mesh.h says what they mean. 0 stands for none.
+% covered_facets (c x 2); is_rounded. mgdt/mgdt_mesh.h says what they mean. 0 stands for none.
 %
 % Errors: mgdt:invalid_boundary (facets, segments or points cross or touch where they must not;
 % mgdt_offending_pairs lists them), mgdt:open_boundary (they enclose nothing), mgdt:resolution, mgdt:not_finite, mgdt:invalid_argument,
 % mgdt:cancelled, mgdt:out_of_memory.
 %
-% See also: mgdt_offending_pairs, mgdt_delaunay
+% See also: mgdt_clean_surface, mgdt_offending_pairs, mgdt_delaunay
 function mesh = mgdt_domain_mesh (points, facets, varargin)
   if (nargin < 2)
     print_usage ();

@@ -147,6 +147,8 @@
     F(domain_clear);                   \
     F(domain_set_option);              \
     F(domain_get_option);              \
+    F(domain_set_double_option);       \
+    F(domain_get_double_option);       \
     F(domain_set_progress);            \
     F(domain_get_progress);            \
     F(domain_cancel);                  \
@@ -157,6 +159,7 @@
     F(domain_set_segments_i32);        \
     F(domain_set_regions);             \
     F(domain_set_holes);               \
+    F(domain_clean);                   \
     F(domain_validate);                \
     F(domain_build);                   \
     F(domain_check);                   \
@@ -165,6 +168,7 @@
     F(domain_get_size);                \
     F(domain_get_array);               \
     F(domain_get_array_i32);           \
+    F(domain_get_doubles);             \
     F(domain_get_error);               \
     F(periodic_create);                \
     F(periodic_create_with_allocator); \

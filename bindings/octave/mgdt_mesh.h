@@ -20,28 +20,7 @@ static void close_domain(void) {
     domain = NULL;
 }
 
-static void ensure_domain(mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    mgdt.domain_get_error(domain, (int64_t)sizeof message, message);
-    close_domain();
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
-static mxArray* array_of_domain(int32_t key) {
-    int64_t count = 0;
-    int32_t width = 1;
-    int64_t* v;
-    mxArray* result;
-    mgdt.domain_array_info(key, &width, NULL);
-    ensure_domain(mgdt.domain_get_size(domain, key, &count));
-    v = room(count, sizeof *v);
-    ensure_domain(mgdt.domain_get_array(domain, key, count, v));
-    result = rows(v, count / width, width);
-    mxFree(v);
-    return result;
-}
-
+DEFINE_READER(domain, domain, close_domain)
 DEFINE_READER(mesh, mesh, close_domain)
 
 /* As many markers as there are things that they mark, or [] for none. */
@@ -68,16 +47,17 @@ static const double* places(const mxArray* a, const char* what, int64_t* n) {
 
 /* The arguments: points, offsets, corners, markers, ends of segments, markers of segments, holes,
  * places of regions, their markers, whether points are rounded, whether nothing may be left out,
- * whether the boundary is kept, threads and the memory limit. All are read before a domain is made.
- */
-enum { domain_arguments = 14 };
+ * whether the boundary is kept, whether it is cleaned, the distances for that, threads and the
+ * memory limit. All are read before a domain is made. */
+enum { domain_arguments = 17 };
 
-static void make_domain(int count, const mxArray* const* given) {
+static void make_domain(int count, const mxArray* const* given, int always_cleaned) {
     int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions;
     const double *xyz, *holes, *regions;
     const int64_t *offsets, *corners, *ends;
     const int32_t *of_facets, *of_segments, *of_regions;
-    int32_t rounded, strict, kept, threads;
+    int32_t rounded, strict, kept, cleaned, threads;
+    double weld, flatness;
     int64_t limit;
     if (count < domain_arguments) bad_argument("a domain needs more arguments");
     if (domain_is_busy)
@@ -96,8 +76,11 @@ static void make_domain(int count, const mxArray* const* given) {
     rounded = small(given[9], "rounded");
     strict = small(given[10], "strict");
     kept = small(given[11], "keep_boundary");
-    threads = small(given[12], "threads");
-    limit = integer(given[13], "memory_limit", 9e15);
+    cleaned = small(given[12], "clean");
+    weld = number(given[13], "weld");
+    flatness = number(given[14], "flatness");
+    threads = small(given[15], "threads");
+    limit = integer(given[16], "memory_limit", 9e15);
 
     close_domain();
     if (mgdt.domain_create(&domain) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
@@ -105,6 +88,8 @@ static void make_domain(int count, const mxArray* const* given) {
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_ROUND_POINTS, rounded));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_STRICT, strict));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, kept));
+    ensure_domain(mgdt.domain_set_double_option(domain, MGDT_DOMAIN_OPTION_WELD, weld));
+    ensure_domain(mgdt.domain_set_double_option(domain, MGDT_DOMAIN_OPTION_FLATNESS, flatness));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_THREADS, threads));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_OPTION_MEMORY_LIMIT, limit));
     ensure_domain(mgdt.domain_set_points(domain, n, xyz));
@@ -112,13 +97,54 @@ static void make_domain(int count, const mxArray* const* given) {
     ensure_domain(mgdt.domain_set_segments(domain, n_ends / 2, ends, of_segments));
     ensure_domain(mgdt.domain_set_holes(domain, n_holes, holes));
     ensure_domain(mgdt.domain_set_regions(domain, n_regions, regions, of_regions));
+    if (always_cleaned || cleaned || weld != 0 || flatness != 0)
+        ensure_domain(mgdt.domain_clean(domain));
+}
+
+/* The cleaned facets and segments as a struct. */
+static mxArray* clean_surface(int count, const mxArray* const* given) {
+    static const struct {
+        const char* name;
+        int32_t key;
+    } arrays[] = {{"points", MGDT_DOMAIN_ARRAY_POINTS},
+                  {"offsets", MGDT_DOMAIN_ARRAY_FACET_OFFSETS},
+                  {"corners", MGDT_DOMAIN_ARRAY_FACET_CORNERS},
+                  {"markers", MGDT_DOMAIN_ARRAY_FACET_MARKERS},
+                  {"origins", MGDT_DOMAIN_ARRAY_FACET_ORIGINS},
+                  {"segments", MGDT_DOMAIN_ARRAY_SEGMENTS},
+                  {"segment_markers", MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS},
+                  {"segment_origins", MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS},
+                  {"covered", MGDT_DOMAIN_ARRAY_COVERED_FACETS}},
+      counts[] = {{"moved_points", MGDT_DOMAIN_STAT_MOVED_POINTS},
+                  {"repeated_corners", MGDT_DOMAIN_STAT_REPEATED_CORNERS},
+                  {"collapsed_facets", MGDT_DOMAIN_STAT_COLLAPSED_FACETS},
+                  {"points_in_edges", MGDT_DOMAIN_STAT_POINTS_IN_EDGES},
+                  {"points_in_facets", MGDT_DOMAIN_STAT_POINTS_IN_FACETS},
+                  {"edges_in_facets", MGDT_DOMAIN_STAT_EDGES_IN_FACETS},
+                  {"exchanged_edges", MGDT_DOMAIN_STAT_EXCHANGED_EDGES}};
+    enum { n_arrays = sizeof arrays / sizeof *arrays, n_counts = sizeof counts / sizeof *counts };
+    const char* names[n_arrays + n_counts];
+    mxArray* result;
+    int k;
+    make_domain(count, given, 1);
+    for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
+    for (k = 0; k < n_counts; ++k) names[n_arrays + k] = counts[k].name;
+    result = mxCreateStructMatrix(1, 1, n_arrays + n_counts, names);
+    for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_domain(arrays[k].key));
+    for (k = 0; k < n_counts; ++k) {
+        int64_t n = 0;
+        ensure_domain(mgdt.domain_get_stat(domain, counts[k].key, &n));
+        mxSetFieldByNumber(result, 0, n_arrays + k, mxCreateDoubleScalar((double)n));
+    }
+    close_domain();
+    return result;
 }
 
 /* Rows of two kinds and two numbers. */
 static mxArray* offending_pairs(int count, const mxArray* const* given) {
     mgdt_status status;
     mxArray* result;
-    make_domain(count, given);
+    make_domain(count, given, 0);
     status = mgdt.domain_validate(domain);
     if (status != MGDT_ERR_INVALID_BOUNDARY) ensure_domain(status);
     result = array_of_domain(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS);
@@ -151,7 +177,7 @@ static mxArray* struct_of_mesh(int has_domain) {
                   {"tetrahedra_below", MGDT_MESH_ARRAY_TETRAHEDRA_BELOW},
                   {"shapes", MGDT_MESH_ARRAY_SHAPES}};
     enum { n_arrays = sizeof arrays / sizeof *arrays };
-    const char* names[n_arrays + 3];
+    const char* names[n_arrays + 4];
     int64_t is_rounded = 0, n = 0;
     double* volumes;
     mxArray* result;
@@ -162,15 +188,19 @@ static mxArray* struct_of_mesh(int has_domain) {
     names[n_arrays] = "volumes";
     names[n_arrays + 1] = "is_rounded";
     names[n_arrays + 2] = "open_edges";
-    result = mxCreateStructMatrix(1, 1, n_arrays + 2 + (has_domain ? 1 : 0), names);
+    names[n_arrays + 3] = "covered_facets";
+    result = mxCreateStructMatrix(1, 1, n_arrays + 2 + (has_domain ? 2 : 0), names);
     for (k = 0; k < n_arrays; ++k) mxSetFieldByNumber(result, 0, k, array_of_mesh(arrays[k].key));
     volumes = room(n, sizeof *volumes);
     ensure_mesh(mgdt.mesh_get_tetrahedron_measures(mesh, MGDT_TETRAHEDRON_VOLUME, n, volumes));
     mxSetFieldByNumber(result, 0, n_arrays, rows_of_doubles(volumes, n, 1));
     mxFree(volumes);
     mxSetFieldByNumber(result, 0, n_arrays + 1, mxCreateLogicalScalar(is_rounded != 0));
-    if (has_domain)
+    if (has_domain) {
         mxSetFieldByNumber(result, 0, n_arrays + 2, array_of_domain(MGDT_DOMAIN_ARRAY_OPEN_EDGES));
+        mxSetFieldByNumber(result, 0, n_arrays + 3,
+                           array_of_domain(MGDT_DOMAIN_ARRAY_COVERED_FACETS));
+    }
     return result;
 }
 
@@ -185,7 +215,7 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
     if (count < domain_arguments + 2) bad_argument("a mesh needs more arguments");
     function = given[domain_arguments];
     is_checked = number(given[domain_arguments + 1], "check") != 0;
-    make_domain(count, given);
+    make_domain(count, given, 0);
     if (!mxIsEmpty(function)) {
         p.function = mxDuplicateArray(function);
         mgdt.domain_set_progress(domain, report, &p);

@@ -576,6 +576,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = periodic_box(nrhs - 1, prhs + 1);
         return;
     }
+    if (strcmp(command, "clean_surface") == 0) {
+        plhs[0] = clean_surface(nrhs - 1, prhs + 1);
+        return;
+    }
     if (strcmp(command, "offending_pairs") == 0) {
         plhs[0] = offending_pairs(nrhs - 1, prhs + 1);
         return;

@@ -10,8 +10,9 @@
  *
  * Facets, segments and points have to meet in common corners and edges only. A facet that crosses
  * another one, or a corner in the middle of a facet's edge, is refused: mgdt_domain_validate()
- * finds all such pairs, exactly. Equal points are one point. Facets with the same marker that share
- * an edge and are in one plane, exactly, after rounding, are one facet.
+ * finds all such pairs, exactly, and mgdt_domain_clean() mends those that need no new points. Equal
+ * points are one point. Facets with the same marker that share an edge and are in one plane,
+ * exactly, after rounding, are one facet.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
  * ranges of keys, the thread rule.
@@ -37,7 +38,8 @@ enum {
     MGDT_DOMAIN_KIND_POINT = 2 /**< A point that is a corner of no facet and of no segment. */
 };
 
-/** Options of mgdt_domain_set_option(). Values are integers. */
+/** Options of mgdt_domain_set_option(), whose values are integers, and, where that is said, of
+ *  mgdt_domain_set_double_option(), whose values are doubles. */
 enum {
     /** 0 (default) or 1. It applies to indices that are given or read later. */
     MGDT_DOMAIN_OPTION_INDEX_BASE = 10,
@@ -54,26 +56,53 @@ enum {
     /** 1 to keep the boundary as it is: each triangle of a facet is one face, each segment and each
      *  edge of a facet one edge, with the caller's coordinates, and Steiner points are inside of
      *  the domain only. 0 (default) to divide segments where that is necessary. Since 1.4. */
-    MGDT_DOMAIN_OPTION_KEEP_BOUNDARY = 60
+    MGDT_DOMAIN_OPTION_KEEP_BOUNDARY = 60,
+    /** A double: the distance within which mgdt_domain_clean() takes places for one place, as a
+     *  share of the size of the points, which is the diagonal of their box. 0 (default) for equal
+     *  places only, otherwise less than 0.1. Since 1.4. */
+    MGDT_DOMAIN_OPTION_WELD = 70,
+    /** A double: the distance within which mgdt_domain_clean() takes facets of one marker for
+     *  facets in one plane, as a share of the same size. 0 (default) for facets that are exactly in
+     *  one plane, otherwise less than 0.1. Since 1.4. */
+    MGDT_DOMAIN_OPTION_FLATNESS = 80
 };
 
 /** Keys of mgdt_domain_get_stat(). */
 enum {
-    MGDT_DOMAIN_STAT_POINTS = 100,       /**< Points that were set. */
-    MGDT_DOMAIN_STAT_FACETS = 101,       /**< Facets that were set. */
-    MGDT_DOMAIN_STAT_SEGMENTS = 102,     /**< Segments that were set. */
+    MGDT_DOMAIN_STAT_POINTS = 100, /**< Points that were set. */
+    /** Facets and segments that were set, or that mgdt_domain_clean() has made of them. */
+    MGDT_DOMAIN_STAT_FACETS = 101,
+    MGDT_DOMAIN_STAT_SEGMENTS = 102,
     MGDT_DOMAIN_STAT_REGIONS = 103,      /**< Places of regions that were set. */
     MGDT_DOMAIN_STAT_HOLES = 104,        /**< Places of holes that were set. */
     MGDT_DOMAIN_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
     /** Pairs in MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS. */
     MGDT_DOMAIN_STAT_OFFENDING_PAIRS = 120,
     /** Edges in MGDT_DOMAIN_ARRAY_OPEN_EDGES. */
-    MGDT_DOMAIN_STAT_OPEN_EDGES = 121
+    MGDT_DOMAIN_STAT_OPEN_EDGES = 121,
+    /* What the last mgdt_domain_clean() has done; 0 after a change of points or facets. */
+    MGDT_DOMAIN_STAT_MOVED_POINTS = 130,     /**< Points that were moved to others. Since 1.4. */
+    MGDT_DOMAIN_STAT_REPEATED_CORNERS = 131, /**< Corners that were left out. Since 1.4. */
+    /** Facets of which nothing is left, because their corners are on a line. Since 1.4. */
+    MGDT_DOMAIN_STAT_COLLAPSED_FACETS = 132,
+    /** Pairs in MGDT_DOMAIN_ARRAY_COVERED_FACETS. Since 1.4. */
+    MGDT_DOMAIN_STAT_COVERED_FACETS = 133,
+    /** Pairs of an edge and a point in it that has divided it. Since 1.4. */
+    MGDT_DOMAIN_STAT_POINTS_IN_EDGES = 134,
+    /** Pairs of a triangle of a facet and a point inside of it that has divided it. Since 1.4. */
+    MGDT_DOMAIN_STAT_POINTS_IN_FACETS = 135,
+    /** Edges of other facets, and segments, that facets have taken in. Since 1.4. */
+    MGDT_DOMAIN_STAT_EDGES_IN_FACETS = 136,
+    /** Edges between triangles in one plane that were exchanged for others. Since 1.4. */
+    MGDT_DOMAIN_STAT_EXCHANGED_EDGES = 137
 };
 
-/** Arrays of a domain, of integers for mgdt_domain_get_array(). mgdt_domain_validate() and
- *  mgdt_domain_build() set them, and a change of points, facets or segments empties them. Points,
- *  facets and segments are numbered from the index base. */
+/** Arrays of a domain, of integers for mgdt_domain_get_array() and of doubles for
+ *  mgdt_domain_get_doubles(). Points, facets and segments are numbered from the index base.
+ *
+ *  mgdt_domain_validate() and mgdt_domain_build() set the offending pairs and the open edges, and a
+ *  change of points, facets or segments empties them. The other arrays, which exist since 1.4, have
+ *  what was set, or what mgdt_domain_clean() has made of it. */
 enum {
     /** Four elements for each offending pair: a kind (MGDT_DOMAIN_KIND_FACET and so on) and a
      *  number, twice. What is bad by itself is paired with itself: a facet that is flat or no
@@ -82,7 +111,22 @@ enum {
     /** Three elements for each edge that one facet alone has, where a surface is open: the two ends
      *  and the facet. They are found if there are no offending pairs. Facets that bound nothing
      *  have such edges too. */
-    MGDT_DOMAIN_ARRAY_OPEN_EDGES = 210
+    MGDT_DOMAIN_ARRAY_OPEN_EDGES = 210,
+    /** Offsets and corners of the facets, as mgdt_domain_set_facets() takes them. */
+    MGDT_DOMAIN_ARRAY_FACET_OFFSETS = 220,
+    MGDT_DOMAIN_ARRAY_FACET_CORNERS = 221,
+    MGDT_DOMAIN_ARRAY_FACET_MARKERS = 222, /**< The marker of each facet. */
+    /** For each facet the one of the facets that were set that it is, or is a part of. Where edges
+     *  between facets in one plane were exchanged, it is one of these facets. */
+    MGDT_DOMAIN_ARRAY_FACET_ORIGINS = 223,
+    /** Two elements for each pair of facets that were set: one that is covered by another facet,
+     *  wholly or in part, and that other facet, which stays in its place. */
+    MGDT_DOMAIN_ARRAY_COVERED_FACETS = 224,
+    MGDT_DOMAIN_ARRAY_SEGMENTS = 230,        /**< Two points for each segment. */
+    MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS = 231, /**< The marker of each segment. */
+    /** For each segment the one that was set that it is, or is a part of. */
+    MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS = 232,
+    MGDT_DOMAIN_ARRAY_POINTS = 300 /**< Doubles: three coordinates for each point. */
 };
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -123,8 +167,19 @@ MGDT_API mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int6
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_option(const mgdt_domain* d, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_domain_build(), mgdt_domain_validate() and
- *  mgdt_domain_check() and may cancel them, as that of mgdt_set_progress() does.
+/** Sets an option whose value is a double.
+ *  @param option  an MGDT_DOMAIN_OPTION_ value that documents a double
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_domain_set_double_option(mgdt_domain* d, int32_t option, double value);
+/** The value of an option that is a double.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_domain_get_double_option(const mgdt_domain* d, int32_t option,
+                                                   double* value);
+
+/** Sets the callback that receives the progress of mgdt_domain_clean(), mgdt_domain_validate(),
+ *  mgdt_domain_build() and mgdt_domain_check() and may cancel them; see mgdt_set_progress().
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -137,10 +192,10 @@ MGDT_API mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_domain_get_progress(const mgdt_domain* d, mgdt_progress_fn* fn,
                                               void** user);
 
-/** Asks the running mgdt_domain_build(), mgdt_domain_validate() or mgdt_domain_check() to stop
- *  soon. That call then returns MGDT_ERR_CANCELLED. If none is running, the request stays pending
- *  and stops the next one, unless mgdt_domain_clear() comes first. Any thread and any signal
- *  handler may call this function.
+/** Asks the running call to stop soon, if it is one that mgdt_domain_set_progress() names. It then
+ *  returns MGDT_ERR_CANCELLED. If none is running, the request stays pending and stops the next
+ *  one, unless mgdt_domain_clear() comes first. Any thread and any signal handler may call this
+ *  function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_cancel(mgdt_domain* d);
@@ -219,6 +274,33 @@ MGDT_API mgdt_status mgdt_domain_set_holes(mgdt_domain* d, int64_t n, const doub
 
 /* ------------------------------------------------------------------------------ calls --- */
 
+/** Cleans facets and segments: mends what needs no new points. The result takes the place of what
+ *  was set. Points keep their numbers. In meshes and in the arrays of the domain, facets and
+ *  segments have the numbers of those that were set.
+ *
+ *  - Points within the distance MGDT_DOMAIN_OPTION_WELD of each other get the coordinates of one of
+ *    them. No point moves farther than that.
+ *  - A corner of a facet that repeats the one before it is left out. So is a facet whose corners
+ *    are on a line, and a segment without length.
+ *  - Points in edges, in segments and inside of facets, exactly or within that distance, become
+ *    corners: what they are in is divided.
+ *  - Facets in one plane take in the edges of other facets, and segments, that are in them from one
+ *    of their points to another.
+ *  - Of facets that cover each other, or of their parts, one stays: that of the smaller facet, so
+ *    that a patch keeps its marker, or the first one. MGDT_DOMAIN_ARRAY_COVERED_FACETS has both.
+ *  - If MGDT_DOMAIN_OPTION_FLATNESS is not 0, facets of one marker that share an edge and are in
+ *    one plane, within that distance, become Delaunay triangles in it, as far as edges may be
+ *    exchanged. The mesh then needs fewer Steiner points. What the facets cover moves by at most
+ *    twice that distance.
+ *
+ *  Facets that need no change stay as they are. Facets that cross each other need new points: they
+ *  stay too, and mgdt_domain_validate() finds them. With both distances 0 all decisions are exact,
+ *  and the facets cover the same places as before.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
+ *  MGDT_ERR_OUT_OF_MEMORY. A call that fails changes nothing
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_domain_clean(mgdt_domain* d);
+
 /** Finds all pairs of facets, segments and points that do not meet in common corners and edges,
  *  facets that are flat or no polygons, and segments without length: exactly, without tolerances.
  *  The array MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS has them afterwards.
@@ -266,7 +348,8 @@ MGDT_API mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int
 /** Gives the shape of an array, which is the same for all domains.
  *  @param array           an MGDT_DOMAIN_ARRAY_ value
  *  @param[out] columns    how many elements belong together, such as 4 for a pair; may be NULL
- *  @param[out] is_double  0, since all arrays of domains have integers; may be NULL
+ *  @param[out] is_double  1 for mgdt_domain_get_doubles(), 0 for mgdt_domain_get_array(); may be
+ *                         NULL
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (both), MGDT_ERR_UNKNOWN_KEY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_array_info(int32_t array, int32_t* columns, int32_t* is_double);
@@ -289,6 +372,15 @@ MGDT_API mgdt_status mgdt_domain_get_array(const mgdt_domain* d, int32_t array, 
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_array_i32(const mgdt_domain* d, int32_t array,
                                                int64_t capacity, int32_t* values);
+
+/** Writes an array of doubles.
+ *  @param array     an MGDT_DOMAIN_ARRAY_ value of doubles
+ *  @param capacity  at least what mgdt_domain_get_size() gives
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
+ *  MGDT_ERR_BUFFER_TOO_SMALL
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_domain_get_doubles(const mgdt_domain* d, int32_t array, int64_t capacity,
+                                             double* values);
 
 /** Copies the message of the last call that failed on the handle, as mgdt_get_error().
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (a capacity below 1)

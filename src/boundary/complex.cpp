@@ -66,7 +66,10 @@ bool are_distinct(const Buffer<double>& points, Allocator& allocator) {
 }
 
 Complex make_complex(const DomainInput& input, Allocator& allocator) {
-    return make_complex(input.points, input, allocator);
+    Complex complex = make_complex(input.points, input, allocator);
+    for (std::uint32_t& f : complex.facet_of_triangle) f = input.facet_origin(f);
+    for (std::uint32_t& f : complex.bad_facets) f = input.facet_origin(f);
+    return complex;
 }
 
 Complex make_complex(const Buffer<double>& points, const DomainInput& input, Allocator& allocator) {

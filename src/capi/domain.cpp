@@ -86,6 +86,12 @@ const OwnOptions<DomainSettings> domain_options = {
     {MGDT_DOMAIN_OPTION_STRICT, &DomainSettings::is_strict},
     {MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, &DomainSettings::keeps_boundary}};
 
+constexpr double most_share = 0.1;  // of the size of the points
+constexpr DoubleOption<DomainSettings, CleaningDistances> double_options[] = {
+    {MGDT_DOMAIN_OPTION_WELD, &DomainSettings::distances, &CleaningDistances::weld, most_share},
+    {MGDT_DOMAIN_OPTION_FLATNESS, &DomainSettings::distances, &CleaningDistances::flatness,
+     most_share}};
+
 namespace of_domain {
 
 constexpr IntegerStatistic<Domain> statistics[] = {
@@ -97,6 +103,21 @@ constexpr IntegerStatistic<Domain> statistics[] = {
     {MGDT_DOMAIN_STAT_MEMORY_BYTES, [](const Domain& d) { return d.allocator().bytes(); }},
     {MGDT_DOMAIN_STAT_OFFENDING_PAIRS, [](const Domain& d) { return d.offences().size(); }},
     {MGDT_DOMAIN_STAT_OPEN_EDGES, [](const Domain& d) { return d.open_edges().size(); }},
+    {MGDT_DOMAIN_STAT_MOVED_POINTS,
+     [](const Domain& d) { return d.cleaned().counts.moved_points; }},
+    {MGDT_DOMAIN_STAT_REPEATED_CORNERS,
+     [](const Domain& d) { return d.cleaned().counts.repeated_corners; }},
+    {MGDT_DOMAIN_STAT_COLLAPSED_FACETS,
+     [](const Domain& d) { return d.cleaned().counts.collapsed_facets; }},
+    {MGDT_DOMAIN_STAT_COVERED_FACETS, [](const Domain& d) { return d.cleaned().covered.size(); }},
+    {MGDT_DOMAIN_STAT_POINTS_IN_EDGES,
+     [](const Domain& d) { return d.cleaned().counts.points_in_edges; }},
+    {MGDT_DOMAIN_STAT_POINTS_IN_FACETS,
+     [](const Domain& d) { return d.cleaned().counts.points_in_facets; }},
+    {MGDT_DOMAIN_STAT_EDGES_IN_FACETS,
+     [](const Domain& d) { return d.cleaned().counts.edges_in_facets; }},
+    {MGDT_DOMAIN_STAT_EXCHANGED_EDGES,
+     [](const Domain& d) { return d.cleaned().counts.exchanged_edges; }},
 };
 
 auto offending_pairs(const Domain& d) {
@@ -116,9 +137,54 @@ auto open_edges(const Domain& d) {
     });
 }
 
+auto facet_origins(const Domain& d) {
+    return computed_each(d.input().facet_count(), [&d](std::size_t f) {
+        return d.input().facet_origin(static_cast<std::uint32_t>(f));
+    });
+}
+
+auto segment_origins(const Domain& d) {
+    return computed_each(d.input().segment_count(), [&d](std::size_t s) {
+        return d.input().segment_origin(static_cast<std::uint32_t>(s));
+    });
+}
+
+auto covered_facets(const Domain& d) {
+    return Computed(2 * d.cleaned().covered.size(), [&d](const auto& f) {
+        for (const CoveredFacet& c : d.cleaned().covered)
+            for (const std::uint32_t i : {c.facet, c.by}) f(i);
+    });
+}
+
+// One offset more than facets, also if none have been set.
+auto facet_offsets(const Domain& d) {
+    return computed_each(d.input().facet_count() + 1, [&d](std::size_t f) {
+        return d.input().facet_begin.empty() ? 0 : d.input().facet_begin[f];
+    });
+}
+
 constexpr auto arrays =
     std::make_tuple(array<Element::integer>(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS, 4, offending_pairs),
-                    array<Element::number>(MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3, open_edges));
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3, open_edges),
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_FACET_OFFSETS, 1, facet_offsets),
+                    array<Element::number>(
+                        MGDT_DOMAIN_ARRAY_FACET_CORNERS, 1,
+                        [](const Domain& d) -> const auto& { return d.input().corners; }),
+                    array<Element::integer>(
+                        MGDT_DOMAIN_ARRAY_FACET_MARKERS, 1,
+                        [](const Domain& d) -> const auto& { return d.input().facet_markers; }),
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_FACET_ORIGINS, 1, facet_origins),
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_COVERED_FACETS, 2, covered_facets),
+                    array<Element::number>(
+                        MGDT_DOMAIN_ARRAY_SEGMENTS, 2,
+                        [](const Domain& d) -> const auto& { return d.input().segments; }),
+                    array<Element::integer>(
+                        MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, 1,
+                        [](const Domain& d) -> const auto& { return d.input().segment_markers; }),
+                    array<Element::number>(MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS, 1, segment_origins),
+                    array<Element::real>(
+                        MGDT_DOMAIN_ARRAY_POINTS, 3,
+                        [](const Domain& d) -> const auto& { return d.input().points; }));
 
 }  // namespace of_domain
 
@@ -134,8 +200,10 @@ struct DomainResults {
 
 MGDT_LIFE(domain)
 MGDT_OPTIONS(domain, domain_options)
+MGDT_DOUBLE_OPTIONS(domain, double_options)
 MGDT_PROGRESS(domain)
 MGDT_RESULTS(domain, DomainResults)
+MGDT_DOUBLES(domain, DomainResults)
 MGDT_MESSAGE(domain)
 
 extern "C" mgdt_status mgdt_domain_clear(mgdt_domain* d) {
@@ -176,6 +244,10 @@ extern "C" mgdt_status mgdt_domain_set_regions(mgdt_domain* d, int64_t n, const 
 
 extern "C" mgdt_status mgdt_domain_set_holes(mgdt_domain* d, int64_t n, const double* xyz) {
     return guard(d, [&] { d->object.set_holes(places(d->object, n, xyz, nullptr, "holes")); });
+}
+
+extern "C" mgdt_status mgdt_domain_clean(mgdt_domain* d) {
+    return guard(d, [&] { d->object.clean(); });
 }
 
 extern "C" mgdt_status mgdt_domain_validate(mgdt_domain* d) {

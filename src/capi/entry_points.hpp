@@ -4,6 +4,7 @@
 //
 //   MGDT_LIFE(KIND)                create, create_with_allocator, destroy
 //   MGDT_OPTIONS(KIND, own)        set_option, get_option
+//   MGDT_DOUBLE_OPTIONS(KIND, own) set_double_option, get_double_option
 //   MGDT_PROGRESS(KIND)            set_progress, get_progress, cancel
 //   MGDT_RESULTS(KIND, Results)    get_stat, array_info, get_size, get_array, get_array_i32
 //   MGDT_DOUBLES(KIND, Results)    get_doubles
@@ -40,6 +41,16 @@
     extern "C" mgdt_status mgdt_##kind##_get_option(const mgdt_##kind* h, int32_t option,         \
                                                     int64_t* value) {                             \
         return get_option(h, option, value, own);                                                 \
+    }
+
+#define MGDT_DOUBLE_OPTIONS(kind, own)                                                            \
+    extern "C" mgdt_status mgdt_##kind##_set_double_option(mgdt_##kind* h, int32_t option,        \
+                                                           double value) {                        \
+        return set_double_option(h, option, value, own);                                          \
+    }                                                                                             \
+    extern "C" mgdt_status mgdt_##kind##_get_double_option(const mgdt_##kind* h, int32_t option,  \
+                                                           double* value) {                       \
+        return get_double_option(h, option, value, own);                                          \
     }
 
 #define MGDT_PROGRESS(kind)                                                                       \

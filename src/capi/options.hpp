@@ -43,6 +43,15 @@ class OwnOption {
 template <class Settings>
 using OwnOptions = std::initializer_list<OwnOption<Settings>>;
 
+// A double of one handle: a member of a member of its settings, at least 0 and below `bound`.
+template <class Settings, class Part>
+struct DoubleOption {
+    std::int32_t key;
+    Part Settings::*part;
+    double Part::*value;
+    double bound;
+};
+
 template <class Object, class Settings>
 void set_option(Object& object, const OwnOptions<Settings>& own, std::int32_t key,
                 std::int64_t value) {
@@ -91,6 +100,41 @@ std::int64_t option_of(const Object& object, const OwnOptions<Settings>& own, st
     for (const OwnOption<Settings>& option : own)
         if (option.key == key) return option.get(object.settings());
     fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(key));
+}
+
+template <class Options>
+const auto& double_option(const Options& own, std::int32_t key) {
+    for (const auto& option : own)
+        if (option.key == key) return option;
+    fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d with a double", static_cast<int>(key));
+}
+// The bodies of the functions that set and get a double.
+template <class H, class Options>
+mgdt_status set_double_option(H* handle, std::int32_t key, double value, const Options& own,
+                              const char* name = __builtin_FUNCTION()) {
+    return guard(
+        handle,
+        [&] {
+            const auto& option = double_option(own, key);
+            if (!(value >= 0 && value < option.bound))
+                fail(MGDT_ERR_INVALID_ARGUMENT,
+                     "%g is out of the range of option %d, which is from 0 to less than %g", value,
+                     static_cast<int>(key), option.bound);
+            handle->object.settings().*option.part.*option.value = value;
+        },
+        name);
+}
+template <class H, class Options>
+mgdt_status get_double_option(const H* handle, std::int32_t key, double* value, const Options& own,
+                              const char* name = __builtin_FUNCTION()) {
+    return guard_short(
+        handle,
+        [&] {
+            require_pointer(value, "value");
+            const auto& option = double_option(own, key);
+            *value = handle->object.settings().*option.part.*option.value;
+        },
+        name);
 }
 
 // The bodies of the functions that set and get an option.

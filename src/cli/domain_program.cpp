@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "cli/counts.hpp"
 #include "cli/errors.hpp"
 #include "cli/program_triangulation.hpp"
 
@@ -50,6 +51,26 @@ Domain make_domain(const Mesh& mesh, int threads, std::uint64_t memory_limit,
         rethrow_failure(name, domain.last_error());
     }
     return domain;
+}
+
+std::string clean(Domain& domain, const CleanOptions& options) {
+    domain.set_option(DomainDoubleOption::weld, options.weld);
+    domain.set_option(DomainDoubleOption::flatness, options.flat);
+    domain.clean();
+    std::vector<std::string> done;
+    const auto add = [&](DomainStatistic key, const char* one, const char* many) {
+        const auto n = static_cast<std::size_t>(domain.statistic(key));
+        if (n > 0) done.push_back(counted(n, one, many));
+    };
+    add(DomainStatistic::moved_points, "point welded", "points welded");
+    add(DomainStatistic::repeated_corners, "corner repeated", "corners repeated");
+    add(DomainStatistic::collapsed_facets, "facet collapsed", "facets collapsed");
+    add(DomainStatistic::covered_facets, "facet covered", "facets covered");
+    add(DomainStatistic::points_in_edges, "point in an edge", "points in edges");
+    add(DomainStatistic::points_in_facets, "point in a facet", "points in facets");
+    add(DomainStatistic::edges_in_facets, "edge in a facet", "edges in facets");
+    add(DomainStatistic::exchanged_edges, "edge exchanged", "edges exchanged");
+    return done.empty() ? "nothing to clean" : fmt::format("{}", fmt::join(done, ", "));
 }
 
 std::vector<OffendingPair> offending_pairs(const Domain& domain) {

@@ -42,7 +42,9 @@ void Domain::forget_results() noexcept {
 void Domain::set_points(Buffer<double>&& points) noexcept {
     forget_results();
     forget_cleaning();
-    for (Buffer<std::uint32_t>* const of : {&input_.facet_begin, &input_.corners, &input_.segments})
+    for (Buffer<std::uint32_t>* const of :
+         {&input_.facet_begin, &input_.corners, &input_.facet_origins, &input_.segments,
+          &input_.segment_origins})
         of->reset();
     input_.facet_markers.reset();
     input_.segment_markers.reset();
@@ -56,6 +58,7 @@ void Domain::set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& c
     input_.facet_begin = std::move(begin);
     input_.corners = std::move(corners);
     input_.facet_markers = std::move(markers);
+    input_.facet_origins.reset();
 }
 
 void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& markers) noexcept {
@@ -63,6 +66,7 @@ void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& m
     forget_cleaning();
     input_.segments = std::move(ends);
     input_.segment_markers = std::move(markers);
+    input_.segment_origins.reset();
 }
 
 void Domain::clean() {
@@ -73,17 +77,17 @@ void Domain::clean() {
     CleaningRecord record(allocator_);
     record.counts = made.counts;
     Buffer<std::int32_t> facet_markers(allocator_), segment_markers(allocator_);
-    for (const std::uint32_t f : made.facet_origins) {
+    for (std::uint32_t& f : made.facet_origins) {
         facet_markers.push_back(input_.facet_markers[f]);
-        record.facet_origins.push_back(facet_origin(f));
+        f = input_.facet_origin(f);
     }
-    for (const std::uint32_t s : made.segment_origins) {
+    for (std::uint32_t& s : made.segment_origins) {
         segment_markers.push_back(input_.segment_markers[s]);
-        record.segment_origins.push_back(segment_origin(s));
+        s = input_.segment_origin(s);
     }
     record.covered.copy(cleaned_.covered);
     for (const CoveredFacet& c : made.covered)
-        record.covered.push_back({facet_origin(c.facet), facet_origin(c.by)});
+        record.covered.push_back({input_.facet_origin(c.facet), input_.facet_origin(c.by)});
     std::sort(record.covered.begin(), record.covered.end());
     record.covered.resize(static_cast<std::size_t>(
         std::unique(record.covered.begin(), record.covered.end()) - record.covered.begin()));
@@ -94,8 +98,10 @@ void Domain::clean() {
     input_.facet_begin = std::move(made.facet_begin);
     input_.corners = std::move(made.corners);
     input_.facet_markers = std::move(facet_markers);
+    input_.facet_origins = std::move(made.facet_origins);
     input_.segments = std::move(made.segments);
     input_.segment_markers = std::move(segment_markers);
+    input_.segment_origins = std::move(made.segment_origins);
 }
 
 void Domain::validate() {
@@ -122,7 +128,8 @@ void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const 
                           segments = boundary.segments.size() / 2;
         if (i < triangles) return {Offence::facet, complex.facet_of_triangle[i]};
         i -= triangles;
-        if (i < segments) return {Offence::segment, static_cast<std::uint32_t>(i)};
+        if (i < segments)
+            return {Offence::segment, input_.segment_origin(static_cast<std::uint32_t>(i))};
         const std::uint32_t number = boundary.lone_points[i - segments];
         return {Offence::point, complex.point_of_number[number]};
     };

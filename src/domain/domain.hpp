@@ -27,16 +27,12 @@ struct DomainSettings : CallSettings {
     CleaningDistances distances;
 };
 
-// What cleaning has made of the facets and segments that the caller set last. Origins are empty if
-// nothing has been cleaned.
+// What cleaning has done since the caller has set facets.
 struct CleaningRecord {
-    explicit CleaningRecord(Allocator& allocator)
-        : facet_origins(allocator), segment_origins(allocator), covered(allocator) {}
+    explicit CleaningRecord(Allocator& allocator) : covered(allocator) {}
 
-    Buffer<std::uint32_t> facet_origins;    // the caller's facet that each facet is a part of
-    Buffer<std::uint32_t> segment_origins;  // the same for segments
-    Buffer<CoveredFacet> covered;           // facets of the caller
-    CleaningCounts counts;
+    Buffer<CoveredFacet> covered;  // by the numbers of the caller's facets
+    CleaningCounts counts;         // of the last time
 };
 
 // A pair of facets, segments or points of the caller that meet elsewhere than in a common corner or
@@ -105,13 +101,6 @@ class Domain {
     const Buffer<Offence>& offences() const noexcept { return offences_; }
     const Buffer<OpenEdge>& open_edges() const noexcept { return open_edges_; }
     const CleaningRecord& cleaned() const noexcept { return cleaned_; }
-    // The caller's facet or segment that one of the input is a part of.
-    std::uint32_t facet_origin(std::uint32_t f) const noexcept {
-        return cleaned_.facet_origins.empty() ? f : cleaned_.facet_origins[f];
-    }
-    std::uint32_t segment_origin(std::uint32_t s) const noexcept {
-        return cleaned_.segment_origins.empty() ? s : cleaned_.segment_origins[s];
-    }
 
   private:
     // The caller's number of a point, facet or other item.

@@ -158,7 +158,8 @@ class Assembly {
                 found != sources.end() && found->a == ends[0] && found->b == ends[1];
             out_.edges.push_back(index(s.ends[0]));
             out_.edges.push_back(index(s.ends[1]));
-            out_.edge_segments.push_back(is_given ? found->source : no_index);
+            out_.edge_segments.push_back(is_given ? parts_.input.segment_origin(found->source)
+                                                  : no_index);
             out_.edge_markers.push_back(is_given ? parts_.input.segment_markers[found->source] : 0);
         }
     }

@@ -58,6 +58,8 @@ class MeshComparison {
     }
 
   private:
+    static constexpr std::int64_t no_marker = std::int64_t{1} << 40;
+
     long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};
@@ -85,18 +87,36 @@ class MeshComparison {
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld has a wrong origin", number(i));
     }
 
+    // The markers of facets or segments by the numbers by which the caller knows them. A number of
+    // none has the marker `no_marker`.
+    template <class OriginOf>
+    Buffer<std::int64_t> markers_by_origin(const Buffer<std::int32_t>& markers,
+                                           const OriginOf& origin_of) const {
+        Buffer<std::int64_t> result(allocator_);
+        for (std::uint32_t i = 0; i < markers.size(); ++i) {
+            const std::size_t origin = origin_of(i);
+            if (origin >= result.size()) result.resize(origin + 1, no_marker);
+            result[origin] = markers[i];
+        }
+        return result;
+    }
+
     // Checks that the facets and segments that faces and edges name exist, and that markers agree.
     void check_sources() const {
+        const Buffer<std::int64_t> of_facets = markers_by_origin(
+            input_.facet_markers, [&](std::uint32_t f) { return input_.facet_origin(f); });
+        const Buffer<std::int64_t> of_segments = markers_by_origin(
+            input_.segment_markers, [&](std::uint32_t s) { return input_.segment_origin(s); });
         for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
-            if (mesh_.face_facets[f] >= input_.facet_count() ||
-                mesh_.face_markers[f] != input_.facet_markers[mesh_.face_facets[f]])
+            if (mesh_.face_facets[f] >= of_facets.size() ||
+                mesh_.face_markers[f] != of_facets[mesh_.face_facets[f]])
                 fail(MGDT_ERR_CHECK_FAILED, "face %lld has a wrong facet or marker", number(f));
         for (std::size_t e = 0; e < mesh_.edge_segments.size(); ++e) {
             const std::uint32_t segment = mesh_.edge_segments[e];
-            if (segment != no_index && segment >= input_.segment_count())
+            if (segment != no_index &&
+                (segment >= of_segments.size() || of_segments[segment] == no_marker))
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld is of no segment", number(e));
-            if (mesh_.edge_markers[e] !=
-                (segment == no_index ? 0 : input_.segment_markers[segment]))
+            if (mesh_.edge_markers[e] != (segment == no_index ? 0 : of_segments[segment]))
                 fail(MGDT_ERR_CHECK_FAILED, "edge %lld has another marker", number(e));
         }
     }
@@ -118,8 +138,9 @@ class MeshComparison {
         Buffer<DirectedEdge> edges(allocator_);
         const Buffer<std::uint32_t>& triangles = complex_.boundary.triangles;
         Buffer<std::uint32_t> planar(allocator_);  // the planar facet of the caller's facets
-        planar.resize(input_.facet_count(), no_index);
         for (const PlanarFacets::Facet& facet : facets_.facets) {
+            const std::size_t source = complex_.facet_of_triangle[facet.triangle];
+            if (source >= planar.size()) planar.resize(source + 1, no_index);
             std::uint32_t& of = planar[complex_.facet_of_triangle[facet.triangle]];
             if (of == no_index) of = facets_.of_triangle[facet.triangle];
         }
@@ -200,6 +221,7 @@ class MeshComparison {
         const std::uint32_t* const v = mesh_.faces.begin() + 3 * std::size_t{face};
         const std::uint32_t corner[3] = {v[0], v[1], v[2]};
         const std::uint32_t source = mesh_.face_facets[face];
+        if (source >= planar.size()) return no_index;
         for (std::uint32_t f = planar[source]; f < facets_.facets.size(); ++f) {
             if (complex_.facet_of_triangle[facets_.facets[f].triangle] != source) break;
             if (direction(f, corner) > 0) return f;
@@ -282,7 +304,7 @@ class MeshComparison {
             const Part whole = part(a, b, 0);
             const Part* const of = std::lower_bound(given.begin(), given.end(), whole);
             const bool is_given = of != given.end() && of->a == whole.a && of->b == whole.b;
-            const std::uint32_t source = is_given ? of->source : no_index;
+            const std::uint32_t source = is_given ? input_.segment_origin(of->source) : no_index;
             const Chain chain = this->chain(a, b);
             std::uint32_t from = chain.is_reversed ? b : a;
             for (std::size_t i = 0; i < chain.size; ++i) {

@@ -150,6 +150,7 @@ int main(void) {
                   {"compact", test_compact},
                   {"busy", test_busy},
                   {"voronoi", test_voronoi},
+                  {"cleaning", test_cleaning},
                   {"domain", test_domain},
                   {"domain_limits", test_domain_limits},
                   {"mesh", test_mesh},

@@ -51,6 +51,7 @@ void test_queries(void);
 void test_changes(void);
 void test_cells(void);
 void test_voronoi(void);
+void test_cleaning(void);
 void test_domain(void);
 void test_domain_limits(void);
 void test_mesh(void);

@@ -205,6 +205,8 @@ static int32_t report(double fraction, void* user) {
     CHECK_EQUAL(build(w->d), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_domain_clear(w->d), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_domain_validate(w->d), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_domain_clean(w->d), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_domain_set_double_option(w->d, MGDT_DOMAIN_OPTION_WELD, 0), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_domain_check(w->d, w->m), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_domain_set_points(w->d, 13, box), MGDT_ERR_BUSY);
     CHECK_EQUAL(mgdt_domain_set_facets(w->d, 0, NULL, NULL, NULL), MGDT_ERR_BUSY);
@@ -249,6 +251,8 @@ static void progress(void) {
     CHECK_EQUAL(build(w.d), MGDT_OK);
     CHECK_EQUAL(mgdt_domain_cancel(w.d), MGDT_OK);
     CHECK_EQUAL(mgdt_domain_validate(w.d), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_domain_cancel(w.d), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_clean(w.d), MGDT_ERR_CANCELLED);
     CHECK_EQUAL(mgdt_domain_cancel(w.d), MGDT_OK);
     CHECK_EQUAL(mgdt_domain_clear(w.d), MGDT_OK);
     CHECK_EQUAL(give_box(w.d, 0), MGDT_OK);

@@ -114,6 +114,9 @@ static mgdt_status nearest(void* t) {
 static mgdt_status validate(void* d) {
     return mgdt_domain_validate(d);
 }
+static mgdt_status clean(void* d) {
+    return mgdt_domain_clean(d);
+}
 static mgdt_status compare(void* d) {
     return mgdt_domain_check(d, mesh);
 }
@@ -262,7 +265,8 @@ static mgdt_domain* make_domain(void) {
 }
 
 static void of_domains(void) {
-    static const call of_domain[] = {{"validation", validate}, {"comparison", compare}};
+    static const call of_domain[] = {
+        {"validation", validate}, {"comparison", compare}, {"cleaning", clean}};
     static const call of_mesh[] = {{"check of a mesh", check_mesh},
                                    {"measures of a mesh", measure_mesh}};
     mgdt_domain* const d = make_domain();

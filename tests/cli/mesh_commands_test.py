@@ -441,6 +441,31 @@ class Meshes(CliTest):
         rows = self.get("m.face").split(b"\n")
         self.assertEqual(rows[0].split()[0], b"8")
 
+    def test_cleaning(self):
+        # Two cubes of triangles with a common wall, a point in an edge, and a facet that is given twice.
+        points = CUBE + [(x + 2, y, z) for x, y, z in CUBE] + [(1, 0, 0)]
+        facets = TRIANGLES + [tuple(v + 8 for v in t) for t in TRIANGLES] + [(0, 2, 3), (4, 4, 5)]
+        facets[facets.index((0, 1, 5))] = (0, 16, 5)
+        facets.append((16, 1, 5))
+        self.put("two.off", off(points, facets))
+        self.mgdt("mesh", "two.off", "-o", "m.ele", code=3)
+        said = self.mgdt("validate", "two.off", "--repairable", code=1).decode()
+        self.assertIn("--clean: 1 facet collapsed, 3 facets covered, 1 point in an edge; no pair is left, no edge is open\n", said)
+        said = self.mgdt("mesh", "two.off", "-o", "m.ele", "--clean", "--check", "--keep-surface").decode()
+        self.assertIn("cleaned: 1 facet collapsed, 3 facets covered, 1 point in an edge\n", said)
+        self.assertIn("2 regions", said)
+        self.assertAlmostEqual(self.volume("m"), 16, delta=1e-12)
+        # Each triangle has points of its own, which differ by rounding.
+        torn = [(x * (1 + 1e-12 * k), y, z) for k, t in enumerate(TRIANGLES) for x, y, z in (CUBE[v] for v in t)]
+        self.put("torn.off", off(torn, [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(TRIANGLES))]))
+        lines = self.mgdt("validate", "torn.off", "--repairable", code=1).decode().splitlines()
+        self.assertTrue(any(line.startswith("--weld 1e-09: 12 points welded") or line.startswith("--weld 1e-09: ")
+                            and line.endswith("no pair is left, no edge is open") for line in lines), lines)
+        self.mgdt("mesh", "torn.off", "-o", "m.ele", "--weld", 1e-9, "--flat", 1e-6, "--check")
+        self.assertAlmostEqual(self.volume("m"), 8, delta=1e-9)
+        self.mgdt("mesh", "torn.off", "-o", "m.ele", "--weld", 0.5, code=2)
+        self.mgdt("mesh", "torn.off", "-o", "m.ele", "--flat", "nan", code=2)
+
     def test_what_is_left_out(self):
         inner = [tuple(0.5 + x / 2 for x in p) for p in CUBE]
         both = SQUARES + [tuple(v + 8 for v in s) for s in SQUARES]

@@ -167,6 +167,13 @@ bool calls_domain() {
     domain.set_segments(std::vector<std::int64_t>{0, 4});
     const std::vector<mgdt::Point> places{{0.1, 0.1, 0.1}};
     domain.set_regions(places, std::vector<std::int32_t>{9});
+    domain.set_option(mgdt::DomainDoubleOption::weld, 0.0625);
+    if (domain.option(mgdt::DomainDoubleOption::weld) != 0.0625) return false;
+    domain.set_option(mgdt::DomainDoubleOption::weld, 0);
+    domain.clean();
+    if (domain.array(mgdt::DomainArray::facet_origins) != std::vector<std::int64_t>{0, 1, 2, 3} ||
+        domain.points(mgdt::DomainDoubles::points) != points)
+        return false;
     domain.validate();
     mgdt::Mesh mesh = domain.build();
     int heard_of_mesh = 0;

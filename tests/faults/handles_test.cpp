@@ -119,6 +119,7 @@ Kind domain() {
           [d](void* h) { return mgdt_domain_set_segments(d(h), 1, segment, markers); }},
          {"set_regions", [d](void* h) { return mgdt_domain_set_regions(d(h), 1, place, markers); }},
          {"set_holes", [d](void* h) { return mgdt_domain_set_holes(d(h), 1, nowhere); }},
+         {"clean", [d](void* h) { return mgdt_domain_clean(d(h)); }},
          // The segment crosses the triangle.
          {"validate",
           [d](void* h) {

@@ -380,6 +380,8 @@ void domains(Meter& meter) {
         const auto facets = static_cast<std::int64_t>(corners.size() / 3);
         meter("mgdt_domain_set_facets",
               [&] { return mgdt_domain_set_facets(d, facets, nullptr, corners.data(), nullptr); });
+        meter("mgdt_domain_clean", [&] { return mgdt_domain_clean(d); });
+        ASSERT_EQ(mgdt_domain_set_facets(d, facets, nullptr, corners.data(), nullptr), MGDT_OK);
         const mgdt_status status = mgdt_domain_validate(d);
         meter(
             "mgdt_domain_validate", [&] { return mgdt_domain_validate(d); }, status);

@@ -31,12 +31,13 @@ class Handle {
     }
     operator mgdt_domain*() const { return d_; }
 
-    Integers pairs() const {
+    Integers pairs() const { return own(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS); }
+    // An array of the domain.
+    Integers own(std::int32_t key) const {
         std::int64_t size = -1;
-        const std::int32_t key = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS;
         FUZZ_REQUIRE(mgdt_domain_get_size(d_, key, &size) == MGDT_OK && size >= 0, "size");
         Integers values(static_cast<std::size_t>(size));
-        FUZZ_REQUIRE(mgdt_domain_get_array(d_, key, size, values.data()) == MGDT_OK, "pairs");
+        FUZZ_REQUIRE(mgdt_domain_get_array(d_, key, size, values.data()) == MGDT_OK, "own array");
         return values;
     }
     mgdt_status build() {
@@ -89,6 +90,7 @@ class Session {
         if (!is_finite_) return;
         draw_facets();
         draw_segments();
+        clean();
         leave_out_offences();
         for (unsigned k = in_.below(3); k > 0; --k) {
             const Point place = source_.draw(in_, PointSource::lattice, points_);
@@ -148,6 +150,31 @@ class Session {
         FUZZ_REQUIRE(mgdt_domain_set_segments(d, static_cast<std::int64_t>(segments_.size() / 2),
                                               segments_.data(), nullptr) == MGDT_OK,
                      "segments");
+    }
+
+    // Cleans in two ways, exactly and by a distance. A second time there is nothing to do.
+    void clean() const {
+        for (const double distance : {0.0, 1e-3}) {
+            set(first_, facets_);
+            for (const std::int32_t option : {MGDT_DOMAIN_OPTION_WELD, MGDT_DOMAIN_OPTION_FLATNESS})
+                FUZZ_REQUIRE(mgdt_domain_set_double_option(first_, option, distance) == MGDT_OK,
+                             "a double option");
+            FUZZ_REQUIRE(mgdt_domain_clean(first_) == MGDT_OK, "clean");
+            const Integers origins = first_.own(MGDT_DOMAIN_ARRAY_FACET_ORIGINS),
+                           segments = first_.own(MGDT_DOMAIN_ARRAY_SEGMENTS);
+            for (const std::int64_t f : origins)
+                FUZZ_REQUIRE(f >= 0 && static_cast<std::size_t>(f) < facets_.corners.size(),
+                             "origins");
+            if (distance > 0) break;
+            const Integers corners = first_.own(MGDT_DOMAIN_ARRAY_FACET_CORNERS);
+            FUZZ_REQUIRE(mgdt_domain_clean(first_) == MGDT_OK, "clean again");
+            FUZZ_REQUIRE(first_.own(MGDT_DOMAIN_ARRAY_FACET_CORNERS) == corners &&
+                             first_.own(MGDT_DOMAIN_ARRAY_FACET_ORIGINS) == origins &&
+                             first_.own(MGDT_DOMAIN_ARRAY_SEGMENTS) == segments,
+                         "a clean domain");
+        }
+        FUZZ_REQUIRE(mgdt_domain_set_points(first_, count(), coordinates_.data()) == MGDT_OK,
+                     "points");
     }
 
     // Removes the second of each pair until none is left. Points that belong to nothing cannot be

@@ -570,6 +570,25 @@ test("a domain", function()
     mesh = mgdt.domain_mesh { points = corners, facets = triangles, index_base = 1, keep_boundary = true }
     equal(mesh.tetrahedron_count, 1, "tetrahedra of a kept boundary")
     assert(mesh:check())
+    -- A point in an edge of one of the facets at it.
+    local hanging = { points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 0, 0 } },
+        facets = { { 0, 2, 1 }, { 0, 4, 3 }, { 4, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } }
+    refused("invalid_boundary", { "facet" }, mgdt.domain_mesh, hanging)
+    local cleaned = mgdt.clean_surface(hanging)
+    equal(cleaned.facet_count, 6, "facets of a clean surface")
+    equal(cleaned.origins[1], 0, "origins")
+    equal(cleaned.points_in_edges, 1, "points in edges")
+    equal(#cleaned.facets[6], 3, "corners")
+    hanging.clean = true
+    local whole = mgdt.domain_mesh(hanging)
+    assert(whole:check())
+    equal(whole.face_facets[0] < 5, true, "facets that were given")
+    hanging.clean, hanging.weld = nil, 1e-9
+    equal(mgdt.domain_mesh(hanging).tetrahedron_count, whole.tetrahedron_count, "welding cleans too")
+    hanging.weld = 1
+    refused("invalid_argument", { "option 70" }, mgdt.domain_mesh, hanging)
+    hanging.weld = "much"
+    refused("invalid_argument", { "weld" }, mgdt.domain_mesh, hanging)
     refused("open_boundary", { "no facets" }, mgdt.domain_mesh, { points = {}, facets = {} })
     refused("invalid_argument", { "hole 1 is in nothing" }, mgdt.domain_mesh,
         { points = corners, facets = triangles, index_base = 1, holes = { { 5, 5, 5 } }, strict = true })

@@ -248,6 +248,19 @@ function domain (folder)
   kept = mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], [1 3 2; 1 2 4; 2 3 4; 3 1 4], ...
                            "keep_boundary", true, "check", true);
   assert (sort (kept.tetrahedra), 1:4);
+  hanging = {[0 0 0; 2 0 0; 0 2 0; 0 0 2; 1 0 0], [1 3 2; 1 5 4; 5 2 4; 2 3 4; 3 1 4]};
+  refused ("mgdt:invalid_boundary", {"facet"}, @() mgdt_domain_mesh (hanging{:}));
+  cleaned = mgdt_clean_surface (hanging{:});
+  assert (cleaned.origins', [1 1 2 3 4 5]);
+  assert (cellfun (@numel, cleaned.facets)', [3 3 3 3 3 3]);
+  assert (cleaned.points_in_edges, 1);
+  assert (cleaned.points, hanging{1});
+  whole = mgdt_domain_mesh (hanging{:}, "clean", true, "check", true);
+  assert (unique (whole.face_facets)', [1 2 4 5]);  % the two in one plane are one
+  assert (size (whole.covered_facets), [0 2]);
+  assert (mgdt_domain_mesh (hanging{:}, "weld", 1e-9).tetrahedra, whole.tetrahedra);
+  refused ("mgdt:invalid_argument", {"option 70"}, @() mgdt_domain_mesh (hanging{:}, "weld", 1));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_clean_surface ([]));
   refused ("mgdt:open_boundary", {"no facets"}, @() mgdt_domain_mesh ([], []));
   refused ("mgdt:invalid_argument", {"hole 1 is in nothing"}, @() mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], ...
            [1 3 2; 1 2 4; 2 3 4; 3 1 4], "holes", [5 5 5], "strict", true));

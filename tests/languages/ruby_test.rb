@@ -146,6 +146,21 @@ class MgdtTest < Minitest::Test
                                 [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], keep_boundary: true)
     kept.check
     assert_equal [[0, 1, 2, 3]], kept.tetrahedra.map(&:sort)
+    # A point in an edge of one of the facets at it.
+    hanging = [[[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [1, 0, 0]],
+               [[0, 2, 1], [0, 4, 3], [4, 1, 3], [1, 2, 3], [2, 0, 3]]]
+    refused(Mgdt::InvalidBoundary, "facet") { Mgdt::DomainMesh.new(*hanging) }
+    cleaned = Mgdt.clean_surface(*hanging)
+    assert_equal [0, 0, 1, 2, 3, 4], cleaned.origins
+    assert_equal [3] * 6, cleaned.facets.map(&:size)
+    assert_equal 1, cleaned.counts[:points_in_edges]
+    whole = Mgdt::DomainMesh.new(*hanging, clean: true)
+    whole.check
+    assert_equal [0, 1, 3, 4], whole.face_facets.uniq.sort # the two in one plane are one
+    assert_empty whole.covered_facets
+    assert_equal whole.tetrahedra, Mgdt::DomainMesh.new(*hanging, weld: 1e-9).tetrahedra
+    refused(Mgdt::InvalidArgument, "option 70") { Mgdt::DomainMesh.new(*hanging, weld: 1) }
+    refused(Mgdt::InvalidArgument, "flatness") { Mgdt::DomainMesh.new(*hanging, flatness: "much") }
     refused(Mgdt::OpenBoundary, "no facets") { Mgdt::DomainMesh.new([], []) }
     refused(Mgdt::InvalidArgument, "hole 0 is in nothing") do
       Mgdt::DomainMesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],

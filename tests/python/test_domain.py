@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes of what facets enclose."""
 
+import copy
 import doctest
 import itertools
 import threading
@@ -100,6 +101,32 @@ class DomainMesh(unittest.TestCase):
         self.assertEqual((kept.npoints, len(kept.faces)), (7, 8))
         self.assertEqual(kept.steiner_edges.tolist(), [[-1, -1]])
         self.assertTrue((kept.points[:6] == points).all())
+
+    def test_cleaning(self) -> None:
+        # A point in an edge of one of the facets at it, and a wall that is given twice.
+        points = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [1, 0, 0], [0, 0, -2]])
+        facets = [[0, 2, 1], [0, 4, 3], [4, 1, 3], [1, 2, 3], [2, 0, 3],
+                  [0, 1, 2], [0, 1, 5], [1, 2, 5], [2, 0, 5]]  # fmt: skip
+        with self.assertRaises(mgdt.InvalidBoundary):
+            mgdt.DomainMesh(points, facets)
+        cleaned = mgdt.clean_surface(points, facets, markers=range(9), threads=2)
+        self.assertEqual(cleaned.origins.tolist(), [0, 0, 1, 2, 3, 4, 6, 6, 7, 8])
+        self.assertEqual(cleaned.markers.tolist(), cleaned.origins.tolist())
+        self.assertEqual(cleaned.covered.tolist(), [[5, 0]])
+        self.assertEqual(cleaned.counts["points_in_edges"], 1)
+        self.assertTrue((cleaned.points == points).all())
+        for options in ({"clean": True}, {"weld": 1e-9}, {"flatness": 1e-9}):
+            mesh = mgdt.DomainMesh(points, facets, markers=range(9), **options)  # type: ignore
+            mesh.check()
+            self.assertEqual(set(mesh.face_facets.tolist()), {0, 1, 2, 3, 4, 6, 7, 8})
+            self.assertEqual(mesh.covered_facets.tolist(), [[5, 0]])
+            self.assertEqual(copy.copy(mesh).simplices.tolist(), mesh.simplices.tolist())
+        torn = np.concatenate([points[f] for f in facets[:5]]) + 1e-10
+        torn[::2] -= 2e-10
+        welded = mgdt.clean_surface(torn, np.arange(15).reshape(5, 3), weld=1e-8)
+        self.assertEqual(len(np.unique(welded.points, axis=0)), 5)
+        with self.assertRaisesRegex(ValueError, "option 70"):
+            mgdt.clean_surface(points, facets, weld=0.5)
 
     def test_measures(self) -> None:
         mesh = mgdt.DomainMesh(CUBE, SIDES, markers=range(6), regions=[((0.5, 0.25, 0.125), 7)])

@@ -59,7 +59,7 @@ TEST(Cleaning, LeavesCleanSurfacesAsTheyAre) {
             std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end()));
         EXPECT_TRUE(std::equal(a.facet_markers.begin(), a.facet_markers.end(),
                                b.facet_markers.begin(), b.facet_markers.end()));
-        for (std::uint32_t f = 0; f < a.facet_count(); ++f) EXPECT_EQ(cleaned.facet_origin(f), f);
+        for (std::uint32_t f = 0; f < a.facet_count(); ++f) EXPECT_EQ(b.facet_origin(f), f);
         EXPECT_TRUE(cleaned.cleaned().covered.empty());
     }
 }
@@ -310,14 +310,13 @@ TEST(Cleaning, ChangesNothingTheSecondTime) {
         domain.clean();
         const std::vector<std::uint32_t> corners(domain.input().corners.begin(),
                                                  domain.input().corners.end());
-        const std::vector<std::uint32_t> origins(domain.cleaned().facet_origins.begin(),
-                                                 domain.cleaned().facet_origins.end());
+        const std::vector<std::uint32_t> origins(domain.input().facet_origins.begin(),
+                                                 domain.input().facet_origins.end());
         domain.clean();
         EXPECT_TRUE(std::equal(corners.begin(), corners.end(), domain.input().corners.begin(),
                                domain.input().corners.end()));
-        EXPECT_TRUE(std::equal(origins.begin(), origins.end(),
-                               domain.cleaned().facet_origins.begin(),
-                               domain.cleaned().facet_origins.end()));
+        EXPECT_TRUE(std::equal(origins.begin(), origins.end(), domain.input().facet_origins.begin(),
+                               domain.input().facet_origins.end()));
         EXPECT_EQ(domain.cleaned().counts.points_in_edges, 0u);
     }
 }
@@ -469,7 +468,8 @@ TEST(Cleaning, MakesNearlyFlatFacetsOnePatch) {
     EXPECT_NEAR(volume(flat.mesh()), volume(plain.mesh()), 1e-6);
     flat.settings().keeps_boundary = false;
     flat.build();
-    EXPECT_LE(flat.mesh().steiner_parameters.size(), plain.mesh().steiner_parameters.size());
+    EXPECT_GT(plain.mesh().steiner_parameters.size(), 0u);
+    EXPECT_EQ(flat.mesh().steiner_parameters.size(), 0u);
 }
 
 }  // namespace

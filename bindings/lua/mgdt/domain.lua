@@ -69,7 +69,8 @@ local function places_of(places, what)
 end
 
 local known = { points = true, facets = true, markers = true, segments = true, segment_markers = true,
-    holes = true, regions = true, rounded = true, strict = true, keep_boundary = true, threads = true, memory_limit = true, index_base = true,
+    holes = true, regions = true, rounded = true, strict = true, keep_boundary = true,
+    clean = true, weld = true, flatness = true, threads = true, memory_limit = true, index_base = true,
     progress = true }
 
 -- A handle with everything that the caller has given.
@@ -117,6 +118,25 @@ end
 -- Compiled code does not hold on to an array whose address alone is in use any more.
 jit.off(domain_of, true)
 
+-- Cleans a domain. Returns the status.
+local function clean(handle, given)
+    for _, name in ipairs { "weld", "flatness" } do
+        local value = given[name] or 0
+        if type(value) ~= "number" then bad_argument("%s is %s; it must be a number", name, type(value)) end
+        of_domain.set_double_option(handle, name, value)
+    end
+    return of_domain.watch(handle, given.progress, function(of) return C.mgdt_domain_clean(of) end)
+end
+
+-- A domain that is cleaned if that is asked for.
+local function ready_domain_of(given)
+    local handle = domain_of(given)
+    if given.clean or (given.weld or 0) ~= 0 or (given.flatness or 0) ~= 0 then
+        ensure(handle, clean(handle, given))
+    end
+    return handle
+end
+
 -- A mesh of the library, which frees itself.
 local function build(handle, progress)
     local out = ffi.new("mgdt_mesh *[1]")
@@ -138,11 +158,12 @@ local domain = {}
 
 --- The mesh of a domain, from a table with points (as for insert()) and facets, lists of corners.
 --- Optional: markers of facets, segments {a, b}, segment_markers, holes {x, y, z}, regions
---- {{x, y, z}, marker}, rounded, strict (nothing may be left out), keep_boundary (Steiner points are inside only), threads, memory_limit, index_base (0), and progress, a function as for
---- set_progress().
+--- {{x, y, z}, marker}, rounded, strict (nothing may be left out), keep_boundary (Steiner points are inside only),
+--- clean, weld and flatness (see clean_surface()), threads, memory_limit, index_base (0), and progress, a
+--- function as for set_progress().
 ---
---- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, edges, steiner_edges and
---- open_edges, with [k][0] and so on, and point_origins, tetrahedron_regions, region_markers, face_facets,
+--- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, edges, steiner_edges,
+--- open_edges and covered_facets, with [k][0] and so on, and point_origins, tetrahedron_regions, region_markers, face_facets,
 --- face_markers, edge_segments, edge_markers and steiner_parameters; mgdt/mgdt_mesh.h says what they are.
 --- point_count, tetrahedron_count, region_count, face_count, edge_count and steiner_count say how many
 --- there are, and is_rounded whether points are rounded. check() proves the mesh, and improve() makes its tetrahedra
@@ -152,10 +173,11 @@ local domain = {}
 --- "invalid_boundary" and has `pairs`, as offending_pairs() gives them. If the facets enclose nothing, it
 --- is "open_boundary". Since 1.3.
 function domain.domain_mesh(given)
-    local handle = domain_of(given)
+    local handle = ready_domain_of(given)
     local mesh = meshes.take(build(handle, given.progress), "domain mesh", check)
     mesh.domain = handle
     mesh.open_edges = of_domain.get(handle, "open_edges")
+    mesh.covered_facets = of_domain.get(handle, "covered_facets")
     return mesh
 end
 
@@ -163,10 +185,46 @@ end
 --- {"facet", 3, "facet", 8}, for example. What is bad by itself is paired with itself. Takes what
 --- domain_mesh() takes. Since 1.3.
 function domain.offending_pairs(given)
-    local handle = domain_of(given)
+    local handle = ready_domain_of(given)
     local value = C.mgdt_domain_validate(handle)
     if value ~= status.invalid_boundary then ensure(handle, value) end
     return pairs_of(handle)
+end
+
+--- Facets and segments of which is mended what needs no new points: repeated corners, collapsed and equal
+--- facets, points in edges and in facets, and edges in facets. Takes what domain_mesh() takes. weld is the
+--- distance within which places are one, and flatness that within which facets of one marker are in one
+--- plane, as shares of the diagonal of the points' box; both are 0 by default. mgdt/mgdt_domain.h says more.
+---
+--- The result has points, with [k][0] and so on, and facets, lists of corners; markers and origins, of each
+--- facet its marker and the facet that it is a part of; segments, segment_markers and segment_origins; and
+--- covered, rows of a facet that was left out and the one that stays in its place. facet_count, segment_count
+--- and covered_count say how many there are, and moved_points, repeated_corners, collapsed_facets,
+--- points_in_edges, points_in_facets, edges_in_facets and exchanged_edges what was done. Since 1.4.
+function domain.clean_surface(given)
+    local handle = domain_of(given)
+    ensure(handle, clean(handle, given))
+    local result, count = {}, nil
+    result.points, result.point_count = of_domain.get(handle, "points")
+    local base = given.index_base or 0
+    local offsets, corners = of_domain.get(handle, "facet_offsets"), of_domain.get(handle, "facet_corners")
+    result.markers, count = of_domain.get(handle, "facet_markers")
+    result.facets, result.facet_count = {}, count
+    for f = 1, count do
+        local facet = {}
+        for k = offsets[f - 1], offsets[f] - 1 do facet[#facet + 1] = corners[k - base] end
+        result.facets[f] = facet
+    end
+    result.origins = of_domain.get(handle, "facet_origins")
+    result.segments, result.segment_count = of_domain.get(handle, "segments")
+    result.segment_markers = of_domain.get(handle, "segment_markers")
+    result.segment_origins = of_domain.get(handle, "segment_origins")
+    result.covered, result.covered_count = of_domain.get(handle, "covered_facets")
+    for _, name in ipairs { "moved_points", "repeated_corners", "collapsed_facets", "points_in_edges",
+        "points_in_facets", "edges_in_facets", "exchanged_edges" } do
+        result[name] = of_domain.statistic(handle, name)
+    end
+    return result
 end
 
 return domain

@@ -205,6 +205,8 @@ void mgdt_domain_destroy(mgdt_domain *d);
 int32_t mgdt_domain_clear(mgdt_domain *d);
 int32_t mgdt_domain_set_option(mgdt_domain *d, int32_t option, int64_t value);
 int32_t mgdt_domain_get_option(const mgdt_domain *d, int32_t option, int64_t *value);
+int32_t mgdt_domain_set_double_option(mgdt_domain *d, int32_t option, double value);
+int32_t mgdt_domain_get_double_option(const mgdt_domain *d, int32_t option, double *value);
 int32_t mgdt_domain_set_progress(mgdt_domain *d, mgdt_progress_fn fn, void *user);
 int32_t mgdt_domain_get_progress(const mgdt_domain *d, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_domain_cancel(mgdt_domain *d);
@@ -220,6 +222,7 @@ int32_t mgdt_domain_set_segments_i32(mgdt_domain *d, int64_t n, const int32_t *e
 int32_t mgdt_domain_set_regions(mgdt_domain *d, int64_t n, const double *xyz,
                                 const int32_t *markers);
 int32_t mgdt_domain_set_holes(mgdt_domain *d, int64_t n, const double *xyz);
+int32_t mgdt_domain_clean(mgdt_domain *d);
 int32_t mgdt_domain_validate(mgdt_domain *d);
 int32_t mgdt_domain_build(mgdt_domain *d, mgdt_mesh **out);
 int32_t mgdt_domain_check(const mgdt_domain *d, const mgdt_mesh *mesh);
@@ -230,6 +233,8 @@ int32_t mgdt_domain_get_array(const mgdt_domain *d, int32_t array, int64_t capac
                               int64_t *values);
 int32_t mgdt_domain_get_array_i32(const mgdt_domain *d, int32_t array, int64_t capacity,
                                   int32_t *values);
+int32_t mgdt_domain_get_doubles(const mgdt_domain *d, int32_t array, int64_t capacity,
+                                double *values);
 int32_t mgdt_domain_get_error(const mgdt_domain *d, int64_t capacity, char *buffer);
 int32_t mgdt_periodic_create(mgdt_periodic **out);
 int32_t mgdt_periodic_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
@@ -312,10 +317,14 @@ return {
         points = 300, steiner_parameters = 310, shapes = 320 },
     domain_kind = { facet = 0, segment = 1, point = 2 },
     domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40,
-        strict = 50, keep_boundary = 60 },
+        strict = 50, keep_boundary = 60, weld = 70, flatness = 80 },
     domain_stat = { points = 100, facets = 101, segments = 102, regions = 103, holes = 104,
-        memory_bytes = 110, offending_pairs = 120, open_edges = 121 },
-    domain_array = { offending_pairs = 200, open_edges = 210 },
+        memory_bytes = 110, offending_pairs = 120, open_edges = 121, moved_points = 130,
+        repeated_corners = 131, collapsed_facets = 132, covered_facets = 133, points_in_edges = 134,
+        points_in_facets = 135, edges_in_facets = 136, exchanged_edges = 137 },
+    domain_array = { offending_pairs = 200, open_edges = 210, facet_offsets = 220,
+        facet_corners = 221, facet_markers = 222, facet_origins = 223, covered_facets = 224,
+        segments = 230, segment_markers = 231, segment_origins = 232, points = 300 },
     periodic_option = { index_base = 10, threads = 20, memory_limit = 30 },
     periodic_stat = { points = 100, vertices = 101, tetrahedra = 102, edges = 103, dimensions = 104,
         memory_bytes = 110, images = 120, rounds = 121 },

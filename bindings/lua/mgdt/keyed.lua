@@ -9,8 +9,8 @@ local arguments = require "mgdt.arguments"
 local keyed = {}
 
 --- The functions of a kind of handle, such as "mesh": ensure(handle, status), message_of(handle, status),
---- set_option(handle, name, value), statistic(handle, name), get(handle, name), and
---- watch(handle, progress, call), which makes a call and reports its progress.
+--- set_option(handle, name, value), set_double_option(handle, name, value), statistic(handle, name),
+--- get(handle, name), and watch(handle, progress, call), which makes a call and reports its progress.
 function keyed.of(kind)
     local prefix = "mgdt_" .. kind .. "_"
     local arrays, stats = constants[kind .. "_array"], constants[kind .. "_stat"]
@@ -19,6 +19,10 @@ function keyed.of(kind)
 
     function of.set_option(handle, name, value)
         of.ensure(handle, C[prefix .. "set_option"](handle, constants[kind .. "_option"][name], value))
+    end
+
+    function of.set_double_option(handle, name, value)
+        of.ensure(handle, C[prefix .. "set_double_option"](handle, constants[kind .. "_option"][name], value))
     end
 
     function of.statistic(handle, name)

@@ -20,7 +20,15 @@ from ._errors import (
 from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
-from .domain import DomainMesh, InvalidBoundary, OffendingPair, OpenBoundary, offending_pairs
+from .domain import (
+    CleanSurface,
+    DomainMesh,
+    InvalidBoundary,
+    OffendingPair,
+    OpenBoundary,
+    clean_surface,
+    offending_pairs,
+)
 from .interpolation import Interpolator
 from .mesh import Improvement, Mesh
 from .parallel import ParallelDelaunay
@@ -40,6 +48,7 @@ __all__ = [
     "CANCEL",
     "Cancelled",
     "CheckFailed",
+    "CleanSurface",
     "Delaunay",
     "DomainMesh",
     "Error",
@@ -61,6 +70,7 @@ __all__ = [
     "QhullError",
     "TooLargeError",
     "Voronoi",
+    "clean_surface",
     "griddata",
     "library_path",
     "library_version",

@@ -70,6 +70,9 @@ class Keyed:
     def set_option(self, name: str, value: int) -> None:
         self.call("set_option", CONSTANTS[f"{self.kind}_option"][name], value)
 
+    def set_double_option(self, name: str, value: float) -> None:
+        self.call("set_double_option", CONSTANTS[f"{self.kind}_option"][name], value)
+
     def statistic(self, name: str) -> int:
         value = c_int64()
         self.call("get_stat", CONSTANTS[f"{self.kind}_stat"][name], ctypes.byref(value))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _errors
-from ._arrays import IndexArray, address, as_array, as_points
+from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._gate import Gate, interruptibly
 from ._insertion import SHORT
@@ -134,6 +134,11 @@ class _Domain(Keyed):
             None if of_segments is None else address(of_segments),
         )
 
+    def clean(self, weld: float, flatness: float) -> None:
+        self.set_double_option("weld", weld)
+        self.set_double_option("flatness", flatness)
+        self.call("clean")
+
     def set_places(
         self, holes: Optional[ArrayLike], regions: Sequence[tuple[ArrayLike, int]]
     ) -> None:
@@ -192,6 +197,86 @@ def offending_pairs(
     return []
 
 
+class CleanSurface(NamedTuple):
+    """Facets and segments that have been cleaned; see `clean_surface`."""
+
+    points: FloatArray
+    """The points that were given, with the coordinates of others where they were welded."""
+    facets: list[NDArray[np.int64]]
+    markers: IndexArray
+    """The marker of each facet."""
+    origins: IndexArray
+    """The facet that was given that each is, or is a part of."""
+    segments: IndexArray
+    segment_markers: IndexArray
+    segment_origins: IndexArray
+    covered: IndexArray
+    """Rows of two facets that were given: one that is covered, and the one that stays there."""
+    counts: dict[str, int]
+    """What was done: ``moved_points``, ``repeated_corners``, ``collapsed_facets``,
+    ``points_in_edges``, ``points_in_facets``, ``edges_in_facets`` and ``exchanged_edges``."""
+
+
+def clean_surface(
+    points: ArrayLike,
+    facets: Facets,
+    segments: Optional[ArrayLike] = None,
+    *,
+    markers: Optional[ArrayLike] = None,
+    segment_markers: Optional[ArrayLike] = None,
+    weld: float = 0,
+    flatness: float = 0,
+    threads: int = 1,
+) -> CleanSurface:
+    """Mends what needs no new points: repeated corners, collapsed and equal facets, points in edges
+    and in facets, and edges in facets.
+
+    Exact, unless `weld` is set. Facets that cross each other stay; `offending_pairs` finds them.
+    ``mgdt_domain_clean`` in mgdt/mgdt_domain.h says what is done.
+
+    Since 1.4.
+
+    Parameters
+    ----------
+    points, facets, segments, markers, segment_markers : as for `DomainMesh`
+    weld : the distance within which places are one, as a share of the diagonal of the points' box
+    flatness : the distance within which facets of one marker are in one plane, as a share of the same;
+        edges inside of such facets are exchanged so that a mesh needs fewer Steiner points
+    threads : 0 for all cores
+
+    Examples
+    --------
+    A point in the middle of an edge of one of two triangles:
+
+    >>> import mgdt
+    >>> points = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, -1, 0], [1, 0, 0]]
+    >>> clean = mgdt.clean_surface(points, [[0, 1, 2], [0, 3, 4], [4, 3, 1]])
+    >>> [facet.tolist() for facet in clean.facets]
+    [[0, 4, 2], [4, 1, 2], [0, 3, 4], [4, 3, 1]]
+    >>> clean.origins.tolist()
+    [0, 0, 1, 2]
+    """
+    handle = _Domain()
+    handle.set_option("threads", threads)
+    handle.set(points, facets, markers, segments, segment_markers)
+    interruptibly(lambda _: handle.clean(weld, flatness), True)
+    offsets = handle.array("facet_offsets", np.int64)
+    corners = handle.array("facet_corners", np.int64)
+    names = ("moved_points", "repeated_corners", "collapsed_facets", "points_in_edges",
+             "points_in_facets", "edges_in_facets", "exchanged_edges")  # fmt: skip
+    return CleanSurface(
+        handle.array("points"),
+        [corners[a:b] for a, b in zip(offsets[:-1], offsets[1:])],
+        handle.array("facet_markers"),
+        handle.array("facet_origins"),
+        handle.array("segments"),
+        handle.array("segment_markers"),
+        handle.array("segment_origins"),
+        handle.array("covered_facets"),
+        {name: handle.statistic(name) for name in names},
+    )
+
+
 class DomainMesh(Mesh):
     """Tetrahedra that fill what facets enclose.
 
@@ -216,6 +301,8 @@ class DomainMesh(Mesh):
         attributes ``unused_points`` and so on count them
     keep_boundary : whether each triangle of a facet is one face and each segment one edge, with Steiner
         points inside only. Since 1.4
+    clean : whether facets and segments are cleaned before: see `clean_surface`. Since 1.4
+    weld, flatness : distances for that; if one is not 0, they are cleaned. Since 1.4
     threads : 0 for all cores
     memory_limit : bytes, 0 for none
     progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
@@ -255,6 +342,8 @@ class DomainMesh(Mesh):
         The t for which it is a + t (b - a).
     open_edges : (o, 3) array
         The ends of each edge that one facet alone has, and this facet.
+    covered_facets : (c, 2) array
+        Facets that were covered by others, which were left out, and those others. Since 1.4
     npoints, nsimplex : int
         The numbers of points and of tetrahedra.
     is_rounded : bool
@@ -289,6 +378,9 @@ class DomainMesh(Mesh):
         rounded: bool = False,
         strict: bool = False,
         keep_boundary: bool = False,
+        clean: bool = False,
+        weld: float = 0,
+        flatness: float = 0,
         threads: int = 1,
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
@@ -305,6 +397,9 @@ class DomainMesh(Mesh):
                 "rounded": rounded,
                 "strict": strict,
                 "keep_boundary": keep_boundary,
+                "clean": clean,
+                "weld": weld,
+                "flatness": flatness,
                 "threads": threads,
                 "memory_limit": memory_limit,
             }
@@ -317,9 +412,12 @@ class DomainMesh(Mesh):
         handle.set_option("keep_boundary", int(keep_boundary))
         handle.set(points, facets, markers, segments, segment_markers)
         handle.set_places(holes, regions)
+        if clean or weld != 0 or flatness != 0:
+            interruptibly(lambda _: handle.clean(weld, flatness), True)
         # A small surface may need many points.
         build(handle, Gate(), progress, SHORT)
         self.open_edges: IndexArray = handle.array("open_edges")
+        self.covered_facets: IndexArray = handle.array("covered_facets")
         self._take(handle.mesh)
 
     def _prove(self) -> None:

@@ -174,6 +174,13 @@ enum class DomainOption : std::int32_t {
     keep_boundary = MGDT_DOMAIN_OPTION_KEEP_BOUNDARY /**< @since 1.4 */
 };
 
+/** Options of a domain whose values are doubles; see MGDT_DOMAIN_OPTION_WELD and its neighbour.
+ *  @since 1.4 */
+enum class DomainDoubleOption : std::int32_t {
+    weld = MGDT_DOMAIN_OPTION_WELD,
+    flatness = MGDT_DOMAIN_OPTION_FLATNESS
+};
+
 /** Statistics of a domain; see MGDT_DOMAIN_STAT_POINTS and its neighbours. @since 1.3 */
 enum class DomainStatistic : std::int32_t {
     points = MGDT_DOMAIN_STAT_POINTS,
@@ -183,15 +190,34 @@ enum class DomainStatistic : std::int32_t {
     holes = MGDT_DOMAIN_STAT_HOLES,
     memory_bytes = MGDT_DOMAIN_STAT_MEMORY_BYTES,
     offending_pairs = MGDT_DOMAIN_STAT_OFFENDING_PAIRS,
-    open_edges = MGDT_DOMAIN_STAT_OPEN_EDGES
+    open_edges = MGDT_DOMAIN_STAT_OPEN_EDGES,
+    moved_points = MGDT_DOMAIN_STAT_MOVED_POINTS,         /**< @since 1.4 */
+    repeated_corners = MGDT_DOMAIN_STAT_REPEATED_CORNERS, /**< @since 1.4 */
+    collapsed_facets = MGDT_DOMAIN_STAT_COLLAPSED_FACETS, /**< @since 1.4 */
+    covered_facets = MGDT_DOMAIN_STAT_COVERED_FACETS,     /**< @since 1.4 */
+    points_in_edges = MGDT_DOMAIN_STAT_POINTS_IN_EDGES,   /**< @since 1.4 */
+    points_in_facets = MGDT_DOMAIN_STAT_POINTS_IN_FACETS, /**< @since 1.4 */
+    edges_in_facets = MGDT_DOMAIN_STAT_EDGES_IN_FACETS,   /**< @since 1.4 */
+    exchanged_edges = MGDT_DOMAIN_STAT_EXCHANGED_EDGES    /**< @since 1.4 */
 };
 
 /** Arrays of integers of a domain; see MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS and its neighbours.
  *  @since 1.3 */
 enum class DomainArray : std::int32_t {
     offending_pairs = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS,
-    open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES
+    open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES,
+    facet_offsets = MGDT_DOMAIN_ARRAY_FACET_OFFSETS,     /**< @since 1.4 */
+    facet_corners = MGDT_DOMAIN_ARRAY_FACET_CORNERS,     /**< @since 1.4 */
+    facet_markers = MGDT_DOMAIN_ARRAY_FACET_MARKERS,     /**< @since 1.4 */
+    facet_origins = MGDT_DOMAIN_ARRAY_FACET_ORIGINS,     /**< @since 1.4 */
+    covered_facets = MGDT_DOMAIN_ARRAY_COVERED_FACETS,   /**< @since 1.4 */
+    segments = MGDT_DOMAIN_ARRAY_SEGMENTS,               /**< @since 1.4 */
+    segment_markers = MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, /**< @since 1.4 */
+    segment_origins = MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS  /**< @since 1.4 */
 };
+
+/** Arrays of doubles of a domain. @since 1.4 */
+enum class DomainDoubles : std::int32_t { points = MGDT_DOMAIN_ARRAY_POINTS };
 
 /** Options of a mesh; see MGDT_MESH_OPTION_INDEX_BASE and its neighbours. @since 1.3 */
 enum class MeshOption : std::int32_t {

@@ -24,6 +24,8 @@ struct DomainCalls {
     using Option = DomainOption;
     using Statistic = DomainStatistic;
     using Array = DomainArray;
+    using Doubles = DomainDoubles;
+    using DoubleOption = DomainDoubleOption;
     static constexpr auto destroy = mgdt_domain_destroy;
     static constexpr auto set_progress = mgdt_domain_set_progress;
     static constexpr auto cancel = mgdt_domain_cancel;
@@ -35,13 +37,17 @@ struct DomainCalls {
     static constexpr auto get_size = mgdt_domain_get_size;
     static constexpr auto get_array = mgdt_domain_get_array;
     static constexpr auto get_array_i32 = mgdt_domain_get_array_i32;
+    static constexpr auto get_doubles = mgdt_domain_get_doubles;
+    static constexpr auto set_double_option = mgdt_domain_set_double_option;
+    static constexpr auto get_double_option = mgdt_domain_get_double_option;
 };
 
 }  // namespace detail
 
 /** Points, facets and segments of a domain that is to be filled with a mesh; see mgdt_domain.h. It
  *  can be moved, not copied. Options, statistics and arrays: mgdt_domain_set_option(),
- *  mgdt_domain_get_option(), mgdt_domain_get_stat(), mgdt_domain_array_info(),
+ *  mgdt_domain_get_option(), mgdt_domain_set_double_option(), mgdt_domain_get_double_option(),
+ *  mgdt_domain_get_doubles(), mgdt_domain_get_stat(), mgdt_domain_array_info(),
  *  mgdt_domain_get_size() and mgdt_domain_get_array(). @since 1.3 */
 class Domain : public detail::Results<detail::DomainCalls> {
   public:
@@ -112,6 +118,9 @@ class Domain : public detail::Results<detail::DomainCalls> {
             mgdt_domain_set_holes(get(), static_cast<std::int64_t>(places.count()), places.data()));
     }
 
+    /** mgdt_domain_clean(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
+     *  throws. @since 1.4 */
+    void clean() { require(mgdt_domain_clean(get())); }
     /** mgdt_domain_validate(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws; the status is MGDT_ERR_INVALID_BOUNDARY if there are offending pairs */
     void validate() { require(mgdt_domain_validate(get())); }

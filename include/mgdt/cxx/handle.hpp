@@ -233,6 +233,18 @@ class Results : public Base {
         this->require(C::get_option(this->get(), static_cast<std::int32_t>(option), &value));
         return value;
     }
+    /** Sets an option whose value is a double. @throw Error. @since 1.4 */
+    template <class C = Calls>
+    void set_option(typename C::DoubleOption option, double value) {
+        this->require(C::set_double_option(this->get(), static_cast<std::int32_t>(option), value));
+    }
+    /** The value of such an option. @throw Error. @since 1.4 */
+    template <class C = Calls>
+    [[nodiscard]] double option(typename C::DoubleOption option) const {
+        double value = 0;
+        this->require(C::get_double_option(this->get(), static_cast<std::int32_t>(option), &value));
+        return value;
+    }
     /** One number of the object. @throw OutOfMemory, Error */
     template <class C = Calls>
     [[nodiscard]] std::int64_t statistic(typename C::Statistic key) const {

@@ -98,6 +98,23 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
 }
 
+void add_cleaning(CLI::App& app, CleanOptions& options) {
+    constexpr double most = 0.0999;
+    app.add_flag("--clean", options.clean,
+                 "Mend the surface where that takes no new points: repeated, collapsed and equal "
+                 "facets, points and edges in facets");
+    app.add_option("--weld", options.weld,
+                   "Clean, and take places within this share of the surface's size for one")
+        ->type_name("X")
+        ->check(number_between(0, most));
+    app.add_option(
+           "--flat", options.flat,
+           "Clean, and take facets within this share of the size of one plane for facets in "
+           "it, whose common edges may be exchanged")
+        ->type_name("X")
+        ->check(number_between(0, most));
+}
+
 void add_periodic(CLI::App& app, PeriodicOptions& options) {
     CLI::Option* box =
         app.add_option("--box", options.box,

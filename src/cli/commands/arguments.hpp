@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 
+#include "cli/domain_program.hpp"
 #include "cli/opening.hpp"
 #include "cli/periodic_box.hpp"
 #include "cli/program_triangulation.hpp"
@@ -25,6 +26,8 @@ void add_compress(CLI::App& app, OutputOptions& options);
 void add_limits(CLI::App& app, int& threads, std::uint64_t& memory_limit,
                 const char* memory = "Most memory, such as 500MB or 4GB");
 void add_triangulation(CLI::App& app, TriangulationOptions& options);
+// --clean, --weld and --flat.
+void add_cleaning(CLI::App& app, CleanOptions& options);
 void add_periodic(CLI::App& app, PeriodicOptions& options);
 void add_region(CLI::App& app, RegionOptions& options);
 void add_scheme_parameters(CLI::App& app, TriangulationOptions& options);

@@ -31,6 +31,7 @@ struct MeshOptions {
     bool all_points = false;     // also write points that are in no tetrahedron
     bool improve = false;        // improve the tetrahedra before they are written
     ImproveOptions improvement;
+    CleanOptions cleaning;
     int threads = 1;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
     bool quiet = false;
@@ -76,6 +77,21 @@ void check(const Domain& domain, const mgdt::Mesh& mesh, const std::string& name
     }
 }
 
+// Cleans the domain if that is asked for. Returns a line that says what was done.
+std::string clean(Domain& domain, const std::string& name, const MeshOptions& options) {
+    if (!options.cleaning.is_asked_for()) return "";
+    check_interrupt();
+    Progress progress("cleaning", options.quiet);
+    domain.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
+    try {
+        std::string done = clean(domain, options.cleaning);
+        domain.clear_progress();
+        return "cleaned: " + done + "\n";
+    } catch (...) {
+        rethrow_failure(name, domain.last_error());
+    }
+}
+
 mgdt::Mesh build(Domain& domain, const std::string& name, const MeshOptions& options) {
     check_interrupt();
     Progress progress("meshing", options.quiet);
@@ -118,7 +134,7 @@ int mesh_surface(const MeshOptions& options) {
     WriteOptions write;
     Mesh mesh;
     std::size_t n_facets = 0, n_points = 0, n_steiner = 0, n_regions = 0;
-    std::string said;  // of the improvement
+    std::string said;  // of cleaning and improvement
     {
         Mesh input = read_facets(options.input);
         require_apart(input.inputs, {output.path});
@@ -126,10 +142,11 @@ int mesh_surface(const MeshOptions& options) {
         n_facets = input.facets.size();
         n_points = input.point_count();
         Domain domain = make_domain(input, options.threads, options.memory_limit, name);
+        said = clean(domain, name, options);
         mgdt::Mesh made = build(domain, name, options);
         if (!options.quiet) warn_of_losses(made, name);
         if (options.improve)
-            said = improve_mesh(made, options.improvement, options.check, options.quiet, name);
+            said += improve_mesh(made, options.improvement, options.check, options.quiet, name);
         n_steiner = static_cast<std::size_t>(made.statistic(MeshStatistic::steiner_points));
         n_regions = static_cast<std::size_t>(made.statistic(MeshStatistic::regions));
         mesh = mesh_of(made);
@@ -183,6 +200,7 @@ const Command mesh_command = {
                      "Keep every facet and every segment as it is, and add points inside only");
         app.add_flag("--all-points", options->all_points,
                      "Also write points that are in no tetrahedron");
+        add_cleaning(app, options->cleaning);
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
         app.footer(formats_and_exit_codes());

@@ -22,6 +22,7 @@ struct ValidateOptions {
     OutputOptions output;  // a .vtp file of what offends, or empty
     int threads = 1;
     std::uint64_t memory_limit = 0;
+    bool repairable = false;  // say what cleaning would mend
     bool quiet = false;
 };
 
@@ -80,12 +81,8 @@ VtkFacets facets_of(const std::vector<OffendingPair>& pairs, const Mesh& mesh) {
     return out;
 }
 
-int validate_surface(const ValidateOptions& options) {
-    const std::string name = input_name(options.input.path);
-    if (!options.output.path.empty()) check_writable(options.output.path);
-    const Mesh mesh = read_facets(options.input);
-    require_apart(mesh.inputs, {options.output.path});
-    Domain domain = make_domain(mesh, options.threads, options.memory_limit, name);
+// Finds what offends. Returns the pairs.
+std::vector<OffendingPair> find_offences(Domain& domain, const std::string& name) {
     check_interrupt();
     try {
         domain.validate();
@@ -94,7 +91,40 @@ int validate_surface(const ValidateOptions& options) {
     } catch (...) {
         rethrow_failure(name, domain.last_error());
     }
-    const std::vector<OffendingPair> pairs = offending_pairs(domain);
+    return offending_pairs(domain);
+}
+
+// Says what cleaning would mend, exactly and with distances, until a step leaves no pair and no
+// open edge.
+void print_repairs(const Mesh& mesh, const ValidateOptions& options, const std::string& name) {
+    for (const double weld : {0.0, 1e-12, 1e-9, 1e-6}) {
+        Domain domain = make_domain(mesh, options.threads, options.memory_limit, name);
+        check_interrupt();
+        std::string done;
+        try {
+            done = clean(domain, {true, weld, 0});
+        } catch (...) {
+            rethrow_failure(name, domain.last_error());
+        }
+        const std::size_t pairs = find_offences(domain, name).size();
+        const std::size_t open = domain.array(DomainArray::open_edges).size() / 3;
+        fmt::print("{}: {}; {} left{}\n", weld == 0 ? "--clean" : fmt::format("--weld {:g}", weld),
+                   done, pairs == 0 ? "no pair is" : counted(pairs, "pair is", "pairs are"),
+                   pairs > 0 ? ""
+                             : fmt::format(", {}", open == 0 ? "no edge is open"
+                                                             : counted(open, "edge is open",
+                                                                       "edges are open")));
+        if (pairs == 0 && open == 0) return;
+    }
+}
+
+int validate_surface(const ValidateOptions& options) {
+    const std::string name = input_name(options.input.path);
+    if (!options.output.path.empty()) check_writable(options.output.path);
+    const Mesh mesh = read_facets(options.input);
+    require_apart(mesh.inputs, {options.output.path});
+    Domain domain = make_domain(mesh, options.threads, options.memory_limit, name);
+    const std::vector<OffendingPair> pairs = find_offences(domain, name);
     if (!options.output.path.empty()) {
         OutputSet outputs;
         write_vtk_facets(facets_of(pairs, mesh), options.output.write.compress,
@@ -103,6 +133,7 @@ int validate_surface(const ValidateOptions& options) {
     }
     if (!options.quiet)
         for (const OffendingPair& pair : pairs) fmt::print("{}\n", describe(pair));
+    if (options.repairable) print_repairs(mesh, options, name);
     if (!pairs.empty())
         throw Error(exit_check_failed,
                     fmt::format("{}: {} of facets, segments or points cross, touch where they must "
@@ -127,6 +158,8 @@ const Command validate_command = {
                        "Write what offends too, as .vtp for ParaView")
             ->type_name("FILE");
         add_compress(app, options->output);
+        app.add_flag("--repairable", options->repairable,
+                     "Say what mgdt mesh --clean and --weld would mend, and what they would leave");
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
         app.footer(formats_and_exit_codes());

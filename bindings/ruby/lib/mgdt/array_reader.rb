@@ -30,6 +30,10 @@ module Mgdt
       call(:set_option, CONSTANTS[:"#{@kind}_option"].fetch(name), value)
     end
 
+    def set_double_option(name, value)
+      call(:set_double_option, CONSTANTS[:"#{@kind}_option"].fetch(name), value)
+    end
+
     def statistic(name)
       value = FFI::MemoryPointer.new(:int64)
       call(:get_stat, CONSTANTS[:"#{@kind}_stat"].fetch(name), value)

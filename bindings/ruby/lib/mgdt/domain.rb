@@ -14,19 +14,24 @@ module Mgdt
     # The ends of each edge that one facet alone has, and this facet.
     attr_reader :open_edges
 
+    # Facets that were covered by others, which were left out, and those others: [covered, by]. Since 1.4.
+    attr_reader :covered_facets
+
     # Points as for Triangulation#insert; facets as Arrays of corners. Further arguments, all optional:
     # markers of facets; segments, [a, b] each, and segment_markers; holes, [x, y, z] each; regions,
     # [[x, y, z], marker] each; rounded: true for points that are rounded, so that facets are covered
     # exactly; strict: true to refuse a mesh that leaves something out; keep_boundary: true to put points
-    # inside only; threads; memory_limit; index_base, 0. A block hears of progress as that of
+    # inside only; clean: true, weld and flatness as for Mgdt.clean_surface; threads; memory_limit; index_base, 0. A block hears of progress as that of
     # Triangulation#insert does.
     #
     # If facets, segments or points cross or touch where they must not, InvalidBoundary has all pairs.
     # If the facets enclose nothing, the error is OpenBoundary.
-    def initialize(points, facets, rounded: false, **given, &progress)
+    def initialize(points, facets, rounded: false, clean: false, weld: 0, flatness: 0, **given, &progress)
       @domain = GivenDomain.new(points, facets, rounded: rounded, **given)
+      @domain.clean(weld, flatness) if clean || weld != 0 || flatness != 0
       take(@domain.build(progress), @domain.index_base)
       @open_edges = @domain.reader.array(:open_edges)
+      @covered_facets = @domain.reader.array(:covered_facets)
     end
 
     private
@@ -42,6 +47,28 @@ module Mgdt
   # [:facet, 3, :facet, 8], for example. What is bad by itself is paired with itself. Since 1.3.
   def self.offending_pairs(points, facets, **given)
     GivenDomain.new(points, facets, **given).offending_pairs
+  end
+
+  # Facets and segments that have been cleaned; see Mgdt.clean_surface. `origins` has the facet that each
+  # facet is, or is a part of; `covered` has pairs of a facet that was left out and the one that stays in its
+  # place; `counts` says what was done.
+  CleanSurface = Struct.new(:points, :facets, :markers, :origins, :segments, :segment_markers,
+                            :segment_origins, :covered, :counts)
+
+  # Mends what needs no new points: repeated corners, collapsed and equal facets, points in edges and in
+  # facets, and edges in facets. weld is the distance within which places are one, and flatness that within
+  # which facets of one marker are in one plane, as shares of the diagonal of the points' box. Takes markers,
+  # segments and segment_markers as DomainMesh does. mgdt/mgdt_domain.h says more. Since 1.4.
+  def self.clean_surface(points, facets, weld: 0, flatness: 0, **given)
+    domain = GivenDomain.new(points, facets, **given)
+    domain.clean(weld, flatness)
+    read = domain.reader
+    counts = %i[moved_points repeated_corners collapsed_facets points_in_edges points_in_facets edges_in_facets
+                exchanged_edges]
+    CleanSurface.new(read.array(:points), read.lists(:facet_offsets, :facet_corners, domain.index_base),
+                     *%i[facet_markers facet_origins segments segment_markers segment_origins
+                         covered_facets].map { |name| read.array(name) },
+                     counts.to_h { |name| [name, read.statistic(name)] })
   end
 
   # A handle with everything that a caller has given.
@@ -77,6 +104,15 @@ module Mgdt
       places(:set_holes, holes, "a hole")
       places(:set_regions, regions.map(&:first), "a region",
              markers(regions.map { |_, marker| marker }, regions.size, "the marker of a region"))
+    end
+
+    def clean(weld, flatness)
+      { weld: weld, flatness: flatness }.each do |name, value|
+        raise argument("#{name} is #{value.inspect}; it must be a number") unless value.is_a?(Numeric)
+
+        @reader.set_double_option(name, value.to_f)
+      end
+      @reader.call(:clean)
     end
 
     # The mesh, a handle.

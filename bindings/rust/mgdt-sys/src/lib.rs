@@ -240,6 +240,8 @@ pub const MGDT_DOMAIN_OPTION_MEMORY_LIMIT: i32 = 30;
 pub const MGDT_DOMAIN_OPTION_ROUND_POINTS: i32 = 40;
 pub const MGDT_DOMAIN_OPTION_STRICT: i32 = 50;
 pub const MGDT_DOMAIN_OPTION_KEEP_BOUNDARY: i32 = 60;
+pub const MGDT_DOMAIN_OPTION_WELD: i32 = 70;
+pub const MGDT_DOMAIN_OPTION_FLATNESS: i32 = 80;
 
 pub const MGDT_DOMAIN_STAT_POINTS: i32 = 100;
 pub const MGDT_DOMAIN_STAT_FACETS: i32 = 101;
@@ -249,9 +251,26 @@ pub const MGDT_DOMAIN_STAT_HOLES: i32 = 104;
 pub const MGDT_DOMAIN_STAT_MEMORY_BYTES: i32 = 110;
 pub const MGDT_DOMAIN_STAT_OFFENDING_PAIRS: i32 = 120;
 pub const MGDT_DOMAIN_STAT_OPEN_EDGES: i32 = 121;
+pub const MGDT_DOMAIN_STAT_MOVED_POINTS: i32 = 130;
+pub const MGDT_DOMAIN_STAT_REPEATED_CORNERS: i32 = 131;
+pub const MGDT_DOMAIN_STAT_COLLAPSED_FACETS: i32 = 132;
+pub const MGDT_DOMAIN_STAT_COVERED_FACETS: i32 = 133;
+pub const MGDT_DOMAIN_STAT_POINTS_IN_EDGES: i32 = 134;
+pub const MGDT_DOMAIN_STAT_POINTS_IN_FACETS: i32 = 135;
+pub const MGDT_DOMAIN_STAT_EDGES_IN_FACETS: i32 = 136;
+pub const MGDT_DOMAIN_STAT_EXCHANGED_EDGES: i32 = 137;
 
 pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 200;
 pub const MGDT_DOMAIN_ARRAY_OPEN_EDGES: i32 = 210;
+pub const MGDT_DOMAIN_ARRAY_FACET_OFFSETS: i32 = 220;
+pub const MGDT_DOMAIN_ARRAY_FACET_CORNERS: i32 = 221;
+pub const MGDT_DOMAIN_ARRAY_FACET_MARKERS: i32 = 222;
+pub const MGDT_DOMAIN_ARRAY_FACET_ORIGINS: i32 = 223;
+pub const MGDT_DOMAIN_ARRAY_COVERED_FACETS: i32 = 224;
+pub const MGDT_DOMAIN_ARRAY_SEGMENTS: i32 = 230;
+pub const MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS: i32 = 231;
+pub const MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS: i32 = 232;
+pub const MGDT_DOMAIN_ARRAY_POINTS: i32 = 300;
 
 pub const MGDT_PERIODIC_OPTION_INDEX_BASE: i32 = 10;
 pub const MGDT_PERIODIC_OPTION_THREADS: i32 = 20;
@@ -828,6 +847,16 @@ extern "C" {
         option: i32,
         value: *mut i64,
     ) -> mgdt_status;
+    pub fn mgdt_domain_set_double_option(
+        d: *mut mgdt_domain,
+        option: i32,
+        value: f64,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_get_double_option(
+        d: *const mgdt_domain,
+        option: i32,
+        value: *mut f64,
+    ) -> mgdt_status;
     pub fn mgdt_domain_set_progress(
         d: *mut mgdt_domain,
         callback: mgdt_progress_fn,
@@ -873,6 +902,7 @@ extern "C" {
         markers: *const i32,
     ) -> mgdt_status;
     pub fn mgdt_domain_set_holes(d: *mut mgdt_domain, n: i64, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_domain_clean(d: *mut mgdt_domain) -> mgdt_status;
     pub fn mgdt_domain_validate(d: *mut mgdt_domain) -> mgdt_status;
     pub fn mgdt_domain_build(d: *mut mgdt_domain, out: *mut *mut mgdt_mesh) -> mgdt_status;
     pub fn mgdt_domain_check(d: *const mgdt_domain, mesh: *const mgdt_mesh) -> mgdt_status;
@@ -894,6 +924,12 @@ extern "C" {
         array: i32,
         capacity: i64,
         values: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_get_doubles(
+        d: *const mgdt_domain,
+        array: i32,
+        capacity: i64,
+        values: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_domain_get_error(
         d: *const mgdt_domain,

@@ -16,6 +16,22 @@ use std::ptr;
 pub enum DomainArray {
     /// The ends of each edge that one facet alone has, and this facet.
     OpenEdges = sys::MGDT_DOMAIN_ARRAY_OPEN_EDGES,
+    /// The first corner of each facet in [`FacetCorners`](DomainArray::FacetCorners), and the end. Since 1.4.
+    FacetOffsets = sys::MGDT_DOMAIN_ARRAY_FACET_OFFSETS,
+    /// The corners of facets. Since 1.4.
+    FacetCorners = sys::MGDT_DOMAIN_ARRAY_FACET_CORNERS,
+    /// The marker of each facet. Since 1.4.
+    FacetMarkers = sys::MGDT_DOMAIN_ARRAY_FACET_MARKERS,
+    /// For each facet the one that was set that it is, or is a part of. Since 1.4.
+    FacetOrigins = sys::MGDT_DOMAIN_ARRAY_FACET_ORIGINS,
+    /// Pairs of a facet that is covered and the one that stays in its place. Since 1.4.
+    CoveredFacets = sys::MGDT_DOMAIN_ARRAY_COVERED_FACETS,
+    /// Two points for each segment. Since 1.4.
+    Segments = sys::MGDT_DOMAIN_ARRAY_SEGMENTS,
+    /// The marker of each segment. Since 1.4.
+    SegmentMarkers = sys::MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS,
+    /// For each segment the one that was set that it is, or is a part of. Since 1.4.
+    SegmentOrigins = sys::MGDT_DOMAIN_ARRAY_SEGMENT_ORIGINS,
 }
 
 /// Statistics of a [`Domain`].
@@ -39,6 +55,22 @@ pub enum DomainStatistic {
     OffendingPairs = sys::MGDT_DOMAIN_STAT_OFFENDING_PAIRS,
     /// Edges that one facet alone has.
     OpenEdges = sys::MGDT_DOMAIN_STAT_OPEN_EDGES,
+    /// Points that the last [`Domain::clean`] has moved to others. Since 1.4.
+    MovedPoints = sys::MGDT_DOMAIN_STAT_MOVED_POINTS,
+    /// Corners that it has left out. Since 1.4.
+    RepeatedCorners = sys::MGDT_DOMAIN_STAT_REPEATED_CORNERS,
+    /// Facets of which it has left nothing. Since 1.4.
+    CollapsedFacets = sys::MGDT_DOMAIN_STAT_COLLAPSED_FACETS,
+    /// Pairs in [`DomainArray::CoveredFacets`]. Since 1.4.
+    CoveredFacets = sys::MGDT_DOMAIN_STAT_COVERED_FACETS,
+    /// Pairs of an edge and a point that it has divided it at. Since 1.4.
+    PointsInEdges = sys::MGDT_DOMAIN_STAT_POINTS_IN_EDGES,
+    /// Pairs of a triangle and a point inside that it has divided it at. Since 1.4.
+    PointsInFacets = sys::MGDT_DOMAIN_STAT_POINTS_IN_FACETS,
+    /// Edges and segments that it has put into facets. Since 1.4.
+    EdgesInFacets = sys::MGDT_DOMAIN_STAT_EDGES_IN_FACETS,
+    /// Edges between triangles in one plane that it has exchanged. Since 1.4.
+    ExchangedEdges = sys::MGDT_DOMAIN_STAT_EXCHANGED_EDGES,
 }
 
 /// What crosses or touches where it must not.
@@ -107,10 +139,11 @@ impl Keyed for Domain {
     const CALLS: Calls<sys::mgdt_domain> = Calls {
         get_error: sys::mgdt_domain_get_error,
         set_option: Some(sys::mgdt_domain_set_option),
+        set_double_option: Some(sys::mgdt_domain_set_double_option),
         get_stat: sys::mgdt_domain_get_stat,
         get_size: sys::mgdt_domain_get_size,
         get_array: sys::mgdt_domain_get_array,
-        get_doubles: None,
+        get_doubles: Some(sys::mgdt_domain_get_doubles),
     };
 
     fn raw(&self) -> *mut sys::mgdt_domain {
@@ -233,6 +266,23 @@ impl Domain {
     pub fn clear(&mut self) {
         // It fails for NULL alone.
         unsafe { sys::mgdt_domain_clear(self.raw()) };
+    }
+
+    /// Mends what needs no new points: repeated corners, collapsed and equal facets, points in edges
+    /// and in facets, and edges in facets. `weld` is the distance within which places are one, and
+    /// `flatness` that within which facets of one marker are in one plane, as shares of the diagonal
+    /// of the points' box. Since 1.4.
+    pub fn clean(&mut self, weld: f64, flatness: f64) -> Result<(), Error> {
+        self.set_double_option(sys::MGDT_DOMAIN_OPTION_WELD, weld)?;
+        self.set_double_option(sys::MGDT_DOMAIN_OPTION_FLATNESS, flatness)?;
+        let status = unsafe { sys::mgdt_domain_clean(self.raw()) };
+        self.ensure(status)
+    }
+
+    /// The points, with the coordinates of others where [`clean`](Domain::clean) has welded them.
+    /// Since 1.4.
+    pub fn points(&self) -> Result<Vec<[f64; 3]>, Error> {
+        self.rows(sys::MGDT_DOMAIN_ARRAY_POINTS)
     }
 
     /// All pairs of facets, segments and points that do not meet in common corners and edges,

@@ -12,6 +12,7 @@ type Status = sys::mgdt_status;
 pub(crate) struct Calls<H> {
     pub get_error: unsafe extern "C" fn(*const H, i64, *mut c_char) -> Status,
     pub set_option: Option<unsafe extern "C" fn(*mut H, i32, i64) -> Status>,
+    pub set_double_option: Option<unsafe extern "C" fn(*mut H, i32, f64) -> Status>,
     pub get_stat: unsafe extern "C" fn(*const H, i32, *mut i64) -> Status,
     pub get_size: unsafe extern "C" fn(*const H, i32, *mut i64) -> Status,
     pub get_array: unsafe extern "C" fn(*const H, i32, i64, *mut i64) -> Status,
@@ -35,6 +36,13 @@ pub(crate) trait Keyed {
 
     fn set_option(&mut self, option: i32, value: i64) -> Result<(), Error> {
         self.ensure(match Self::CALLS.set_option {
+            Some(set) => unsafe { set(self.raw(), option, value) },
+            None => sys::MGDT_ERR_UNKNOWN_KEY,
+        })
+    }
+
+    fn set_double_option(&mut self, option: i32, value: f64) -> Result<(), Error> {
+        self.ensure(match Self::CALLS.set_double_option {
             Some(set) => unsafe { set(self.raw(), option, value) },
             None => sys::MGDT_ERR_UNKNOWN_KEY,
         })

@@ -223,6 +223,7 @@ impl Keyed for Mesh {
     const CALLS: Calls<sys::mgdt_mesh> = Calls {
         get_error: sys::mgdt_mesh_get_error,
         set_option: Some(sys::mgdt_mesh_set_option),
+        set_double_option: None,
         get_stat: sys::mgdt_mesh_get_stat,
         get_size: sys::mgdt_mesh_get_size,
         get_array: sys::mgdt_mesh_get_array,

@@ -103,6 +103,7 @@ impl Keyed for Periodic {
     const CALLS: Calls<sys::mgdt_periodic> = Calls {
         get_error: sys::mgdt_periodic_get_error,
         set_option: Some(sys::mgdt_periodic_set_option),
+        set_double_option: None,
         get_stat: sys::mgdt_periodic_get_stat,
         get_size: sys::mgdt_periodic_get_size,
         get_array: sys::mgdt_periodic_get_array,

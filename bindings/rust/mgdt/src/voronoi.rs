@@ -110,6 +110,7 @@ impl Keyed for Voronoi {
     const CALLS: Calls<sys::mgdt_voronoi> = Calls {
         get_error: sys::mgdt_voronoi_get_error,
         set_option: None,
+        set_double_option: None,
         get_stat: sys::mgdt_voronoi_get_stat,
         get_size: sys::mgdt_voronoi_get_size,
         get_array: sys::mgdt_voronoi_get_array,

@@ -200,6 +200,17 @@ fn a_domain() {
     let kept = d.build().unwrap();
     assert!(kept.keeps_boundary());
     d.set_keep_boundary(false).unwrap();
+    d.clean(0.0, 1e-9).unwrap();
+    assert_eq!(d.statistic(mgdt::DomainStatistic::PointsInEdges), 0);
+    assert_eq!(
+        d.array(mgdt::DomainArray::FacetOrigins).unwrap().len(),
+        d.statistic(mgdt::DomainStatistic::Facets)
+    );
+    assert_eq!(
+        d.points().unwrap().len(),
+        d.statistic(mgdt::DomainStatistic::Points)
+    );
+    assert!(d.clean(1.0, 0.0).is_err());
     d.set_strict(true).unwrap();
     assert_eq!(
         d.build().unwrap_err().kind(),
