@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <mgdt/mgdt.hpp>
@@ -44,16 +45,22 @@ int run(const std::vector<std::string>& words) {
         "--version", fmt::format("mgdt {} (ABI {})", mgdt_version_string(), mgdt_abi_version()));
     app.require_subcommand(1);
     app.allow_windows_style_options(false);  // /name is a file
-    app.footer(formats_and_exit_codes() +
+    app.footer([] {
+        return formats_and_exit_codes() +
                "\n\nExample:\n  mgdt generate galaxy 1e5 -o points.npy\n"
-               "  mgdt triangulate points.npy -o mesh.vtu --stats\n  mgdt check mesh.vtu");
+               "  mgdt triangulate points.npy -o mesh.vtu --stats\n  mgdt check mesh.vtu";
+    });
     app.get_formatter()->column_width(28);
+    if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(words[1]);
+    const auto named = std::find_if(words.begin() + (words.empty() ? 0 : 1), words.end(),
+                                    [](const std::string& w) { return w.substr(0, 1) != "-"; });
     std::function<int()> chosen;
     for (const Command* command : commands) {
         CLI::App* const own = app.add_subcommand(command->name, command->description);
-        own->callback([&chosen, runs = command->declare(*own)] { chosen = runs; });
+        // To declare the options of all commands would take longer than to mesh a cube.
+        if (named != words.end() && *named == command->name)
+            own->callback([&chosen, runs = command->declare(*own)] { chosen = runs; });
     }
-    if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(words[1]);
     try {
         // CLI11 takes arguments in reverse order.
         app.parse(std::vector<std::string>(words.rbegin(), words.rend() - (words.empty() ? 0 : 1)));

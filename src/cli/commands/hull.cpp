@@ -55,7 +55,7 @@ const Command hull_command = {"hull", "Read points, write the surface of their c
                                   add_output(app, options->output, true);
                                   add_compress(app, options->output);
                                   add_triangulation(app, options->triangulation);
-                                  app.footer(formats_and_exit_codes());
+                                  app.footer(formats_and_exit_codes);
                                   return [options] { return write_hull(*options); };
                               }};
 

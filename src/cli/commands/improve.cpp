@@ -75,7 +75,7 @@ const Command improve_command = {
                      "Also write points that are in no tetrahedron");
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return improve(*options); };
     }};
 

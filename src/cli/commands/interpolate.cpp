@@ -212,7 +212,7 @@ const Command interpolate_command = {
             ->type_name("FORMAT");
         add_columns(app, "--places-columns", options->places, "the text of places");
         add_triangulation(app, options->triangulation);
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return interpolate_values(*options); };
     }};
 

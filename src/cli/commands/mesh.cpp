@@ -203,7 +203,7 @@ const Command mesh_command = {
         add_cleaning(app, options->cleaning);
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return mesh_surface(*options); };
     }};
 

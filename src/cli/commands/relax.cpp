@@ -110,7 +110,7 @@ const Command relax_command = {
             ->type_name("N");
         add_region(app, options->region);
         add_triangulation(app, options->triangulation);
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return relax(*options); };
     }};
 

@@ -115,7 +115,7 @@ const Command surface_command = {
             ->type_name("R");
         app.add_flag("--largest", options->largest, "Write the solid of largest volume only");
         add_triangulation(app, options->triangulation);
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return write_alpha_surface(*options); };
     }};
 

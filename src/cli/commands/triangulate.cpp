@@ -197,7 +197,7 @@ const Command triangulate_command = {
                "a .vtu file for each")
             ->check(CLI::Range(1, 1 << 20))
             ->type_name("N");
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return triangulate(*options); };
     }};
 

@@ -162,7 +162,7 @@ const Command validate_command = {
                      "Say what mgdt mesh --clean and --weld would mend, and what they would leave");
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return validate_surface(*options); };
     }};
 

@@ -299,7 +299,7 @@ const Command voronoi_command = {
             ->check(number_between(0, 0.999999))
             ->type_name("X");
         add_triangulation(app, options->triangulation);
-        app.footer(formats_and_exit_codes());
+        app.footer(formats_and_exit_codes);
         return [options] { return write_voronoi(*options); };
     }};
 
