@@ -92,8 +92,8 @@ void check_writable(const std::string& path) {
     if (!system::may_make_files_in(directory_of(target))) fail_writing(path, errno);
 }
 
-OutputFile::OutputFile(const std::string& path) : name_(path) {
-    buffer_.reserve(buffer_size);
+OutputFile::OutputFile(const std::string& path)
+    : name_(path), buffer_(new char[buffer_size]) {  // not initialised: most files are short
     if (path == "-") {
         name_ = "standard output";
         fd_ = system::copy_of_standard_output();
@@ -132,8 +132,8 @@ void OutputFile::fail(int error) const {
 }
 
 void OutputFile::flush() {
-    const char* p = buffer_.data();
-    std::size_t left = buffer_.size();
+    const char* p = buffer_.get();
+    std::size_t left = used_;
     while (left > 0) {
         check_interrupt();
         const std::ptrdiff_t done = system::write(fd_, p, left);
@@ -144,30 +144,36 @@ void OutputFile::flush() {
         p += done;
         left -= static_cast<std::size_t>(done);
     }
-    buffer_.clear();
+    used_ = 0;
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
     const char* p = static_cast<const char*>(data);
     while (size > 0) {
-        const std::size_t part = std::min(size, buffer_size - buffer_.size());
-        buffer_.insert(buffer_.end(), p, p + part);
+        const std::size_t part = std::min(size, buffer_size - used_);
+        std::memcpy(buffer_.get() + used_, p, part);
+        used_ += part;
         p += part;
         size -= part;
-        if (buffer_.size() == buffer_size) flush();
+        if (used_ == buffer_size) flush();
     }
 }
 
+template <class T>
+void OutputFile::write_text_of(T value) {
+    constexpr std::size_t longest = 32;
+    if (buffer_size - used_ <= longest) flush();
+    char* const text = buffer_.get() + used_;
+    const auto result = std::to_chars(text, text + longest, value);
+    used_ += static_cast<std::size_t>(result.ptr - text);
+}
+
 void OutputFile::write_number(double value) {
-    char text[32];
-    const auto result = std::to_chars(text, text + sizeof text, value);
-    write(text, static_cast<std::size_t>(result.ptr - text));
+    write_text_of(value);
 }
 
 void OutputFile::write_integer(std::int64_t value) {
-    char text[32];
-    const auto result = std::to_chars(text, text + sizeof text, value);
-    write(text, static_cast<std::size_t>(result.ptr - text));
+    write_text_of(value);
 }
 
 template <class T>

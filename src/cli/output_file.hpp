@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "cli/interrupt.hpp"
 
@@ -43,6 +42,8 @@ class OutputFile {
 
   private:
     void flush();
+    template <class T>
+    void write_text_of(T value);
     [[noreturn]] void fail(int error) const;
 
     std::string name_;
@@ -50,7 +51,8 @@ class OutputFile {
     std::string temporary_;
     std::unique_ptr<TemporaryName> guard_;
     int fd_ = -1;
-    std::vector<char> buffer_;
+    std::unique_ptr<char[]> buffer_;
+    std::size_t used_ = 0;  // of the buffer
 };
 
 extern template void OutputFile::write_values(const double*, std::size_t);

@@ -175,9 +175,9 @@ void Domain::check(const SolidMesh& mesh, StageProgress& progress) const {
     compare_mesh(input_, mesh, settings_.index_base, allocator_, progress);
 }
 
-// Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
-// the grid, and is refused.
-void Domain::round(const RoundingGrid& grid, Complex& complex, StageProgress& progress) {
+// Rounds the points of a complex to a grid. Refuses points that become equal. Returns whether
+// rounding has moved any.
+bool Domain::round(const RoundingGrid& grid, Complex& complex) {
     Buffer<double>& points = complex.boundary.points;
     bool is_changed = false;
     for (double& x : points) {
@@ -185,11 +185,17 @@ void Domain::round(const RoundingGrid& grid, Complex& complex, StageProgress& pr
         is_changed = is_changed || grid.unround(rounded) != x;
         x = rounded;
     }
-    if (!is_changed) return;
-    if (!are_distinct(points, allocator_))
+    if (is_changed && !are_distinct(points, allocator_))
         fail(MGDT_ERR_RESOLUTION,
              "two points are nearer to each other than 2^-%d of the largest coordinate",
              grid.bits());
+    return is_changed;
+}
+
+// Refuses a complex that was valid before its points were rounded to a grid, and is not any more:
+// it is finer than the grid.
+void Domain::require_valid_on(const RoundingGrid& grid, const Complex& complex,
+                              StageProgress& progress) {
     char where[80];
     std::snprintf(where, sizeof where,
                   " when points are rounded to 2^-%d of the largest coordinate", grid.bits());
@@ -264,7 +270,11 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
     const StopRequest stop = stop_.request();
     mesh = SolidMesh(mesh.points.allocator());
     progress.enter(0, 0.1);
-    round(grid, complex, progress);
+    const bool is_moved = round(grid, complex);
+    // If no point may be added, most boundaries that are to be validated have a segment that is no
+    // edge. This is found sooner.
+    const bool is_tried_first = attempt.most_points == 0;
+    if (is_moved && !is_tried_first) require_valid_on(grid, complex, progress);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     mesh.planar_facets = facets.facets.size();
 
@@ -294,6 +304,8 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
         };
         return StuckSegment{{end(0), end(1)}, segments.takes_long, segments.steiner.size()};
     }
+    progress.enter(0.4, 0.8);
+    if (is_moved && is_tried_first) require_valid_on(grid, complex, progress);
     progress.enter(0.8, 0.9);
     ConstrainedMesh constrained(triangulation, points, allocator_);
     triangulation.clear();

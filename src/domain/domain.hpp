@@ -114,7 +114,9 @@ class Domain {
                        StageProgress& progress);
     [[noreturn]] void fail_open() const;
     void require_all_used(const SolidMesh& mesh) const;
-    void round(const RoundingGrid& grid, Complex& complex, StageProgress& progress);
+    bool round(const RoundingGrid& grid, Complex& complex);
+    void require_valid_on(const RoundingGrid& grid, const Complex& complex,
+                          StageProgress& progress);
     // A segment that could not be divided as finely as necessary, or not in the time given.
     struct StuckSegment {
         std::uint32_t ends[2];

@@ -10,6 +10,7 @@
 #include "parallel/thread_count.hpp"
 #include "platform/objects.hpp"
 #include "recovery/boundary_recovery.hpp"
+#include "recovery/triangle_table.hpp"
 #include "solid/sorted_corners.hpp"
 
 namespace mgdt {
@@ -137,15 +138,25 @@ RecoveryInput make_input(const Boundary& boundary, const CanonicalOrder& order,
 }
 
 // Marks the faces that are triangles of the boundary.
-void mark_faces(const Boundary& boundary, const CanonicalOrder& order, TriangleWalk& walk,
+void mark_faces(const Boundary& boundary, const CanonicalOrder& order, Allocator& allocator,
                 FlipMesh& mesh) {
-    for (std::uint32_t t = 0; t < boundary.triangles.size() / 3; ++t) {
-        const std::uint32_t* const of = boundary.triangles.begin() + 3 * std::size_t{t};
-        const std::uint32_t v[3] = {order.rank(of[0]), order.rank(of[1]), order.rank(of[2])};
-        if (walk.run(v) != TriangleWalk::Result::is_face)
-            fail(MGDT_ERR_INTERNAL, "a facet that was recovered is missing");
-        mesh.mark(walk.face(), t);
+    Buffer<std::uint32_t> corners(allocator);
+    for (const std::uint32_t v : boundary.triangles) corners.push_back(order.rank(v));
+    const TriangleTable table(corners, order.size(), allocator);
+    std::size_t missing = corners.size() / 3;
+    for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const FlipMesh::Tetrahedron& tet = mesh.tetrahedra[t];
+        for (unsigned k = 0; k < 4 && !tet.is_dead(); ++k) {
+            // Each face inside is seen from the lesser one of its two tetrahedra.
+            if (tet.n[k] == no_index || tet.n[k] / 4 < t) continue;
+            const std::uint32_t f =
+                table.find(tet.v[(k + 1) % 4], tet.v[(k + 2) % 4], tet.v[(k + 3) % 4]);
+            if (f == no_index) continue;
+            mesh.mark(4 * t + k, f);
+            --missing;
+        }
     }
+    if (missing != 0) fail(MGDT_ERR_INTERNAL, "a facet that was recovered is missing");
 }
 
 // Moves the mesh to the result. Vertices get the numbers that the result has.
@@ -209,8 +220,7 @@ void keep_boundary(const Complex& complex, int threads, Allocator& allocator,
             continue;
         }
         progress.enter(0.9, 1);
-        TriangleWalk walk(mesh, allocator);
-        mark_faces(boundary, order, walk, mesh);
+        mark_faces(boundary, order, allocator, mesh);
         write(order, points, mesh, allocator, result);
         result.lost_edge[0] = result.lost_edge[1] = no_index;
         return;

@@ -56,7 +56,7 @@ class Splitting {
         round_near_.resize(points_.size() / 3, 0u);
         tetrahedron_at_.resize(points_.size() / 3, no_tetrahedron);
         for (std::uint32_t round = 1; find_splits() && result_.stuck == no_index; ++round) {
-            if (work_ > most_work_ || result_.steiner.size() >= most_points_) {
+            if (is_at_limit()) {
                 result_.stuck = parts_[splits_[0].part].segment;
                 result_.takes_long = true;
                 break;
@@ -93,7 +93,11 @@ class Splitting {
                 point(segments_[2 * std::size_t{segment} + 1])};
     }
 
-    // Fills splits_ with those suspects that are missing. Returns false if none is.
+    bool is_at_limit() const {
+        return work_ > most_work_ || result_.steiner.size() >= most_points_;
+    }
+    // Fills splits_ with those suspects that are missing, at the limit with one of them. Returns
+    // false if none is.
     bool find_splits() {
         splits_.clear();
         MissingSegment search(triangulation_, allocator_);
@@ -109,6 +113,10 @@ class Splitting {
             if (!search.find(a, b, tetrahedron_at_[a])) continue;
             if (s.k1 - s.k0 < 2) result_.stuck = s.segment;
             if (result_.stuck != no_index) break;
+            if (is_at_limit()) {  // so it is not going to be divided
+                splits_.push_back({part, no_index, 0});
+                break;
+            }
             const std::uint32_t reference = search.reference();
             splits_.push_back({part, reference, place(s, reference)});
         }

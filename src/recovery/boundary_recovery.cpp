@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "recovery/point_removal.hpp"
+#include "recovery/triangle_table.hpp"
 
 namespace mgdt {
 
@@ -32,13 +33,46 @@ bool BoundaryRecovery::run() {
            (PointRemoval(mesh_, flips_, missing_.allocator()).run(first_added_, stop_), true);
 }
 
-bool BoundaryRecovery::recover_segments() {
-    missing_.clear();
-    for (std::uint32_t i = 0; i < input_.segments.size() / 2; ++i) {
-        stop_.poll_in_step(i);
-        const std::uint32_t* const ends = input_.segments.begin() + 2 * std::size_t{i};
-        if (walk_.run(ends[0], ends[1]) != CrossingWalk::Result::is_edge) missing_.push_back(i);
+// Lists the segments that are no edges.
+void BoundaryRecovery::find_missing_segments() {
+    Buffer<std::uint8_t> is_edge(missing_.allocator());
+    is_edge.resize(input_.segments.size() / 2, std::uint8_t{0});
+    for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        stop_.poll_in_step(t);
+        const FlipMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
+        if (tet.is_dead()) continue;
+        for (unsigned k = 0; k < 4; ++k)
+            for (unsigned l = k + 1; l < 4; ++l)
+                if (const std::uint32_t s = kept_.find(tet.v[k], tet.v[l]); s != no_index)
+                    is_edge[s] = 1;
     }
+    missing_.clear();
+    for (std::uint32_t i = 0; i < is_edge.size(); ++i)
+        if (is_edge[i] == 0) missing_.push_back(i);
+}
+
+// Lists the triangles that are no faces.
+void BoundaryRecovery::find_missing_triangles() {
+    const TriangleTable table(input_.triangles, first_added_, missing_.allocator());
+    Buffer<std::uint8_t> is_face(missing_.allocator());
+    is_face.resize(input_.triangles.size() / 3, std::uint8_t{0});
+    for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        stop_.poll_in_step(t);
+        const FlipMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
+        if (tet.is_dead()) continue;
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t f =
+                table.find(tet.v[(k + 1) % 4], tet.v[(k + 2) % 4], tet.v[(k + 3) % 4]);
+            if (f != no_index) is_face[f] = 1;
+        }
+    }
+    missing_.clear();
+    for (std::uint32_t i = 0; i < is_face.size(); ++i)
+        if (is_face[i] == 0) missing_.push_back(i);
+}
+
+bool BoundaryRecovery::recover_segments() {
+    find_missing_segments();
     if (effort_.reverses) std::reverse(missing_.begin(), missing_.end());
     constexpr std::size_t least_segments = 200;
     rings_left_ = effort_.most_rings * (least_segments + missing_.size());
@@ -59,7 +93,7 @@ bool BoundaryRecovery::recover_segments() {
 }
 
 bool BoundaryRecovery::recover_triangles() {
-    for (std::uint32_t i = 0; i < input_.triangles.size() / 3; ++i) missing_.push_back(i);
+    find_missing_triangles();
     for (unsigned depth = 0; depth <= Flips::most_depth; ++depth)
         keep_missing([&](std::uint32_t i) {
             const std::uint32_t* const of = input_.triangles.begin() + 3 * std::size_t{i};

@@ -38,6 +38,8 @@ class BoundaryRecovery {
     const std::uint32_t (&lost_edge() const noexcept)[2] { return lost_edge_; }
 
   private:
+    void find_missing_segments();
+    void find_missing_triangles();
     bool recover_segments();
     bool recover_triangles();
     template <class Recover>
@@ -55,7 +57,7 @@ class BoundaryRecovery {
     const RecoveryEffort effort_;
     const StopRequest stop_;
     const std::uint32_t first_added_;
-    PairTable kept_;
+    PairTable kept_;  // the segments, with their numbers
     Flips flips_;
     CrossingWalk walk_;
     TriangleWalk over_;
