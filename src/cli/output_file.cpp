@@ -15,7 +15,7 @@
 namespace mgdt::cli {
 namespace {
 
-constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
 std::string writing_remedy(int error) {
     switch (error) {

@@ -25,6 +25,11 @@ class Crossings {
         return {mesh, no_index, no_index, no_index};
     }
 
+    // A hash of what is missing.
+    std::uint64_t hash() const noexcept {
+        return (std::uint64_t{a_} << 42) + (std::uint64_t{b_} << 21) + c_;
+    }
+
     // What the edge that is missing itself counts for: less than nothing, so that it is preferred.
     static constexpr int found = -1000;
 

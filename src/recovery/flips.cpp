@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/tetrahedron.hpp"
+#include "platform/hash.hpp"
 
 namespace mgdt {
 
@@ -13,6 +14,30 @@ int Flips::crossings_of(const EdgeRing& ring, const Crossings& crossings) const 
     return sum;
 }
 
+// Finds a filling with at most `most` crossings. The same rings come again and again while flips go
+// deeper, so those without a filling are remembered.
+bool Flips::find_filling(const EdgeRing& ring, const Crossings& crossings, int most) {
+    constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
+    std::uint64_t hash = crossings.hash();
+    const auto add = [&](std::uint64_t x) {
+        hash = (hash ^ x) * factor;
+        hash ^= hash >> 32;
+    };
+    // The number of a point that was taken back may be that of another one later.
+    const auto add_vertex = [&](std::uint32_t v) {
+        add(std::uint64_t{v} << 32 | hash_of_coordinates(mesh_.point(v)));
+    };
+    add_vertex(ring.p);
+    add_vertex(ring.q);
+    for (const std::uint32_t v : ring.v) add_vertex(v);
+    if (failed_.empty()) failed_.resize(failures, Failure{0, 0});
+    Failure& failure = failed_[hash % failures];
+    if (failure.ring == hash && most <= failure.most) return false;
+    if (filling_.find(ring.p, ring.q, ring.v.begin(), ring.v.size(), crossings, most)) return true;
+    failure = {hash, most};
+    return false;
+}
+
 bool Flips::remove_edge(std::uint32_t p, std::uint32_t q, const Crossings& crossings, int limit,
                         unsigned depth, int& change) {
     if (budget_ == 0 || is_kept(p, q)) return false;
@@ -20,8 +45,7 @@ bool Flips::remove_edge(std::uint32_t p, std::uint32_t q, const Crossings& cross
     EdgeRing& ring = levels_[depth].ring;
     if (!ring.collect(mesh_, p, q, most_ring)) return false;
     const int before = crossings_of(ring, crossings);
-    if (filling_.find(p, q, ring.v.begin(), ring.v.size(), crossings) &&
-        filling_.crossings() - before <= limit) {
+    if (find_filling(ring, crossings, before + limit)) {
         added_.clear();
         filling_.append(added_);
         change += filling_.crossings() - before;
@@ -100,8 +124,7 @@ bool Flips::fill_side(const EdgeRing& ring, std::size_t from, std::size_t to,
     const std::size_t n = ring.v.size();
     part_.clear();
     for (std::size_t k = from; k <= to; ++k) part_.push_back(ring.v[k % n]);
-    if (filling_.find(ring.p, ring.q, part_.begin(), part_.size(), crossings) &&
-        filling_.crossings() == 0) {
+    if (filling_.find(ring.p, ring.q, part_.begin(), part_.size(), crossings, 0)) {
         filling_.append(added_);
         return true;
     }

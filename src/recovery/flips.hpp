@@ -20,7 +20,8 @@ class Flips {
           part_(allocator),
           center_(allocator),
           added_(allocator),
-          removed_(allocator) {}
+          removed_(allocator),
+          failed_(allocator) {}
 
     static constexpr unsigned most_depth = 2;
 
@@ -60,7 +61,15 @@ class Flips {
         Buffer<std::uint32_t> spokes;
     };
 
+    // That a ring has no filling with at most so many crossings.
+    struct Failure {
+        std::uint64_t ring;  // a hash of the ring and of what is missing
+        int most;
+    };
+    static constexpr std::size_t failures = 1 << 13;
+
     int crossings_of(const EdgeRing& ring, const Crossings& crossings) const;
+    bool find_filling(const EdgeRing& ring, const Crossings& crossings, int most);
     bool fill_side(const EdgeRing& ring, std::size_t from, std::size_t to,
                    const Crossings& crossings, int& count);
     bool add_point_beside(const EdgeRing& ring, const Crossings& crossings, int& count);
@@ -74,6 +83,7 @@ class Flips {
     Buffer<FlipMesh::Corners> added_;
     Buffer<std::uint32_t> removed_;
     std::size_t budget_ = 0;
+    Buffer<Failure> failed_;  // by the lowest bits of the hash
 };
 
 }  // namespace mgdt

@@ -7,15 +7,17 @@
 
 namespace mgdt {
 
-RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
-                                         const Crossings& crossings) const {
+// A part with more than `most` crossings is of no use: an edge that counts for less than nothing is
+// the segment itself, and then no other part crosses it.
+RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j, const Crossings& crossings,
+                                         int most) const {
     Part best = {0, 0, no_index};
     const std::uint32_t a = v_[i], c = v_[j];
     for (std::size_t m = i + 1; m < j; ++m) {
         const Part &one = best_[i * n_ + m], &other = best_[m * n_ + j];
         if (one.middle == no_index || other.middle == no_index) continue;
         const int least = one.crossings + other.crossings;
-        if (best.middle != no_index && least > best.crossings) continue;
+        if (least > (best.middle != no_index ? best.crossings : most)) continue;
         const std::uint32_t b = v_[m];
         const double *const pa = mesh_.point(a), *const pb = mesh_.point(b),
                             *const pc = mesh_.point(c);
@@ -23,6 +25,7 @@ RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
             orientation(pa, pb, pc, mesh_.point(p_)) >= 0)
             continue;
         const int count = least + crossings.of_face(a, b, c);
+        if (count > most) continue;
         const double flat =
             std::max({one.flatness, other.flatness, flatness_of(pa, pb, pc, mesh_.point(q_)),
                       flatness_of(pa, pb, pc, mesh_.point(p_))});
@@ -35,7 +38,7 @@ RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j,
 
 // Klincsek's dynamic program (Minimal triangulations of polygonal domains, 1980).
 bool RingFilling::find(std::uint32_t p, std::uint32_t q, const std::uint32_t* polygon,
-                       std::size_t n, const Crossings& crossings) {
+                       std::size_t n, const Crossings& crossings, int most) {
     p_ = p;
     q_ = q;
     v_ = polygon;
@@ -46,12 +49,13 @@ bool RingFilling::find(std::uint32_t p, std::uint32_t q, const std::uint32_t* po
     for (std::size_t length = 2; length < n; ++length)
         for (std::size_t i = 0; i + length < n; ++i) {
             const std::size_t j = i + length;
-            Part best = best_part(i, j, crossings);
+            Part best = best_part(i, j, crossings, most);
             // The new edge from i to j and the faces at it, unless it closes the polygon.
             if (best.middle != no_index && length + 1 < n)
                 best.crossings += crossings.of_edge(v_[i], v_[j]) +
                                   crossings.of_face(v_[i], v_[j], p) +
                                   crossings.of_face(v_[i], v_[j], q);
+            if (best.crossings > most) best.middle = no_index;
             best_[i * n + j] = best;
         }
     return best_[n - 1].middle != no_index;

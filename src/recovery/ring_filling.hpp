@@ -14,10 +14,10 @@ class RingFilling {
         : mesh_(mesh), best_(allocator), parts_(allocator) {}
 
     // Finds the filling with the fewest crossings and, among these, without flat tetrahedra.
-    // Returns false if no filling has positive tetrahedra only. The polygon consists of `n`
-    // vertices; it is closed by an edge from the last to the first one.
+    // Returns false if no filling has positive tetrahedra only and at most `most` crossings. The
+    // polygon consists of `n` vertices; it is closed by an edge from the last to the first one.
     bool find(std::uint32_t p, std::uint32_t q, const std::uint32_t* polygon, std::size_t n,
-              const Crossings& crossings);
+              const Crossings& crossings, int most);
     // The number of crossings of the filling, without those of the polygon's own edges.
     int crossings() const noexcept { return best_[n_ - 1].crossings; }
     // Appends the tetrahedra of the filling.
@@ -32,7 +32,7 @@ class RingFilling {
         double flatness;
         std::uint32_t middle;
     };
-    Part best_part(std::size_t i, std::size_t j, const Crossings& crossings) const;
+    Part best_part(std::size_t i, std::size_t j, const Crossings& crossings, int most) const;
 
     const FlipMesh& mesh_;
     std::uint32_t p_ = 0, q_ = 0;
