@@ -9,9 +9,7 @@
 namespace mgdt {
 
 int Flips::crossings_of(const EdgeRing& ring, const Crossings& crossings) const {
-    int sum = crossings.of_edge(ring.p, ring.q);
-    for (const std::uint32_t v : ring.v) sum += crossings.of_face(ring.p, ring.q, v);
-    return sum;
+    return crossings.of_edge(ring.p, ring.q) + crossings.of_faces(ring.p, ring.q, ring.v);
 }
 
 // Finds a filling with at most `most` crossings. The same rings come again and again while flips go
