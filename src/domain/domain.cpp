@@ -304,9 +304,8 @@ Domain::Stuck Domain::mesh_on(const Attempt& attempt, Complex complex, StageProg
         };
         return StuckSegment{{end(0), end(1)}, segments.takes_long, segments.steiner.size()};
     }
-    progress.enter(0.4, 0.8);
-    if (is_moved && is_tried_first) require_valid_on(grid, complex, progress);
     progress.enter(0.8, 0.9);
+    if (is_moved && is_tried_first) require_valid_on(grid, complex, progress);
     ConstrainedMesh constrained(triangulation, points, allocator_);
     triangulation.clear();
     triangulation.shrink();
@@ -364,9 +363,10 @@ bool Domain::make_delaunay(Complex complex, std::size_t most_points, StageProgre
         try {
             return !mesh_on(attempt, std::move(complex), progress, mesh);
         } catch (const Error& e) {
-            // Rounding has made the boundary invalid.
+            // Rounding has made the boundary invalid, which was found at the end.
             if (e.status != MGDT_ERR_RESOLUTION) throw;
             offences_.reset();
+            progress.leave_behind(0.9);
         }
         complex = make_complex(input_, allocator_);
     } while (attempts.advance(Attempts::Result::too_coarse));
