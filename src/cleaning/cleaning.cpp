@@ -24,7 +24,6 @@ class Cleaning {
           allocator_(allocator),
           complex_(allocator),
           pieces_(allocator),
-          patches_(allocator),
           areas_(allocator),
           is_changed_(allocator),
           result_(allocator) {}
@@ -52,6 +51,7 @@ class Cleaning {
         Boundary& boundary = pieces_.boundary;
         std::swap(boundary, complex_.boundary);
         std::swap(pieces_.facet_of_triangle, complex_.facet_of_triangle);
+        pieces_.is_new.resize(pieces_.triangle_count(), std::uint8_t{0});
         for (std::uint32_t s = 0; s < boundary.segments.size() / 2; ++s)
             pieces_.source_of_segment.push_back(s);
         areas_.resize(input_.facet_count(), 0.0);
@@ -66,7 +66,6 @@ class Cleaning {
         // A polygon whose corners are on one line is one that has collapsed.
         for (const std::uint32_t f : complex_.bad_facets)
             if (is_on_line(f)) is_changed_[f] = 1;
-        patches_ = find_patches(pieces_, input_.facet_markers, flatness_, allocator_);
     }
 
     bool is_on_line(std::uint32_t f) const {
@@ -92,10 +91,13 @@ class Cleaning {
         counts.points_in_edges += found.on_edges.size();
         counts.points_in_facets += found.in_triangles.size();
         bool is_done = found.empty();
-        if (!is_done) divide_at(found, pieces_, patches_, is_changed_, allocator_);
+        std::fill(pieces_.is_new.begin(), pieces_.is_new.end(), std::uint8_t{0});
+        if (!is_done) divide_at(found, weld_, pieces_, is_changed_, allocator_);
+        const Buffer<Projection> patches =
+            find_patches(pieces_, input_.facet_markers, flatness_, allocator_);
         progress.enter(0.8, 1);
         {
-            PatchEdges edges(pieces_, patches_, flatness_, is_changed_, allocator_);
+            PatchEdges edges(pieces_, patches, flatness_, is_changed_, allocator_);
             const std::size_t taken = edges.take_in_edges(stop);
             counts.edges_in_facets += taken;
             is_done = is_done && taken == 0;
@@ -103,7 +105,7 @@ class Cleaning {
         if (remove_equal_triangles(pieces_, areas_, result_.covered, is_changed_, allocator_))
             is_done = false;
         if (is_done && !(is_first && exchanges_all_)) return false;
-        PatchEdges edges(pieces_, patches_, flatness_, is_changed_, allocator_);
+        PatchEdges edges(pieces_, patches, flatness_, is_changed_, allocator_);
         const std::size_t exchanged = edges.make_delaunay(exchanges_all_, stop);
         counts.exchanged_edges += exchanged;
         return !is_done || exchanged > 0;
@@ -175,7 +177,6 @@ class Cleaning {
     Allocator& allocator_;
     Complex complex_;
     SurfacePieces pieces_;
-    Buffer<Patch> patches_;
     Buffer<double> areas_;             // twice the area of each given facet
     Buffer<std::uint8_t> is_changed_;  // whether a given facet is not as it was
     CleanedFacets result_;

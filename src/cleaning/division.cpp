@@ -104,11 +104,11 @@ class TriangleParts {
 
 class Division {
   public:
-    Division(const Incidences& incidences, SurfacePieces& pieces, Buffer<Patch>& patches,
+    Division(const Incidences& incidences, const Nearness& near, SurfacePieces& pieces,
              Buffer<std::uint8_t>& is_changed, Allocator& allocator)
         : incidences_(incidences),
+          near_(near),
           pieces_(pieces),
-          patches_(patches),
           is_changed_(is_changed),
           result_(allocator),
           first_on_edge_(allocator) {
@@ -123,9 +123,11 @@ class Division {
         std::size_t inside = 0;
         for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t) {
             const std::uint32_t* const v = pieces_.triangle(t);
-            const std::uint32_t facet = pieces_.facet_of_triangle[t],
-                                patch = pieces_.patch_of_triangle[t];
-            parts.start(v, patches_[patch].projection);
+            const std::uint32_t facet = pieces_.facet_of_triangle[t];
+            const Vector<double> a = near_.scaled(pieces_.point(v[0])),
+                                 b = near_.scaled(pieces_.point(v[1])),
+                                 c = near_.scaled(pieces_.point(v[2]));
+            parts.start(v, Projection(cross(b - a, c - a)));
             for (int k = 0; k < 3; ++k)
                 with_points_on(v[k], v[(k + 1) % 3], [&](std::size_t count, auto point_at) {
                     parts.divide_edge(v[k], v[(k + 1) % 3], count, point_at);
@@ -133,12 +135,10 @@ class Division {
             const auto& in = incidences_.in_triangles;
             for (; inside < in.size() && in[inside].of == t; ++inside)
                 parts.divide_inside(in[inside].point);
-            if (parts.is_divided()) {
-                is_changed_[facet] = 1;
-                patches_[patch].is_touched = true;
-            }
-            parts.for_each_leaf([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-                result_.add_triangle(a, b, c, facet, patch);
+            const bool is_divided = parts.is_divided();
+            if (is_divided) is_changed_[facet] = 1;
+            parts.for_each_leaf([&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+                result_.add_triangle(p, q, r, facet, is_divided ? 1 : 0);
             });
         }
         const Buffer<std::uint32_t>& ends = pieces_.boundary.segments;
@@ -173,8 +173,8 @@ class Division {
     }
 
     const Incidences& incidences_;
+    const Nearness& near_;
     SurfacePieces& pieces_;
-    Buffer<Patch>& patches_;
     Buffer<std::uint8_t>& is_changed_;
     SurfacePieces result_;
     Buffer<std::uint32_t> first_on_edge_;  // of each edge of the incidences
@@ -182,9 +182,9 @@ class Division {
 
 }  // namespace
 
-void divide_at(const Incidences& incidences, SurfacePieces& pieces, Buffer<Patch>& patches,
+void divide_at(const Incidences& incidences, const Nearness& near, SurfacePieces& pieces,
                Buffer<std::uint8_t>& is_changed, Allocator& allocator) {
-    Division(incidences, pieces, patches, is_changed, allocator).run(allocator);
+    Division(incidences, near, pieces, is_changed, allocator).run(allocator);
 }
 
 }  // namespace mgdt

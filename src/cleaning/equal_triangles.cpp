@@ -53,12 +53,13 @@ bool remove_equal_triangles(SurfacePieces& pieces, const Buffer<double>& facet_a
     for (std::uint32_t t = 0; t < sorted.size(); ++t) {
         if (is_removed[t] != 0) continue;
         const std::uint32_t* const v = pieces.triangle(t);
-        left.add_triangle(v[0], v[1], v[2], pieces.facet_of_triangle[t],
-                          pieces.patch_of_triangle[t]);
+        left.add_triangle(v[0], v[1], v[2], pieces.facet_of_triangle[t], pieces.is_new[t]);
+        left.patch_of_triangle.back() = pieces.patch_of_triangle[t];
     }
     std::swap(pieces.boundary.triangles, left.boundary.triangles);
     std::swap(pieces.facet_of_triangle, left.facet_of_triangle);
     std::swap(pieces.patch_of_triangle, left.patch_of_triangle);
+    std::swap(pieces.is_new, left.is_new);
     return true;
 }
 

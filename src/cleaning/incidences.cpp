@@ -73,17 +73,19 @@ class IncidenceSearch {
         const BoxTree tree(allocator_, boxes, progress.stop_request());
         tree.for_each_pair(team_, progress, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
             const Simplex a = boundary.simplex(i), b = boundary.simplex(j);
-            compare(a, b, i, member);
-            compare(b, a, j, member);
+            compare(a, b, i, boxes[i], member);
+            compare(b, a, j, boxes[j], member);
         });
         for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t) add_own_corner(t);
     }
 
     // Adds the corners of `of` that are in the simplex a, which has the number i.
-    void compare(const Simplex& a, const Simplex& of, std::uint32_t i, unsigned member) {
+    void compare(const Simplex& a, const Simplex& of, std::uint32_t i, const BoundingBox& box,
+                 unsigned member) {
         if (a.size == 1) return;
         for (int k = 0; k < of.size; ++k) {
             const std::uint32_t p = of.number[k];
+            if (!box.overlaps(BoundingBox(of.x[k]))) continue;
             if (std::find(a.number, a.number + a.size, p) != a.number + a.size) continue;
             if (a.size == 3 && near_.is_apart_from_plane(a.x[0], a.x[1], a.x[2], of.x[k])) continue;
             bool is_on_edge = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cleaning/nearness.hpp"
 
+#include "cleaning/projection.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/scale.hpp"
 #include "predicates/foot_weights.hpp"
@@ -42,10 +43,19 @@ bool Nearness::is_on_edge(const double* a, const double* b, const double* p) con
 
 bool Nearness::is_in_triangle(const double* a, const double* b, const double* c,
                               const double* p) const {
+    if (is_exact()) {
+        if (orientation(a, b, c, p) != 0) return false;
+        // In the plane it is inside if it is so in a projection that is no line.
+        for (int axis = 0; axis < 3; ++axis) {
+            const Projection along(axis);
+            const int sign = along.turn(a, b, c);
+            if (sign != 0)
+                return along.turn(a, b, p) == sign && along.turn(b, c, p) == sign &&
+                       along.turn(c, a, p) == sign;
+        }
+        return false;
+    }
     if (collinear(a, b, c)) return false;
-    if (is_exact())
-        return orientation(a, b, c, p) == 0 && side_of_edge(a, b, c, p) > 0 &&
-               side_of_edge(b, c, a, p) > 0 && side_of_edge(c, a, b, p) > 0;
     double w[3];
     foot_weights(a, b, c, p, w);
     return w[0] > 0 && w[1] > 0 && w[2] > 0 &&

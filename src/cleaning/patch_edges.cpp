@@ -7,8 +7,8 @@
 
 namespace mgdt {
 
-PatchEdges::PatchEdges(SurfacePieces& pieces, Buffer<Patch>& patches, const Nearness& near,
-                       Buffer<std::uint8_t>& is_changed, Allocator& allocator)
+PatchEdges::PatchEdges(SurfacePieces& pieces, const Buffer<Projection>& patches,
+                       const Nearness& near, Buffer<std::uint8_t>& is_changed, Allocator& allocator)
     : pieces_(pieces),
       patches_(patches),
       near_(near),
@@ -31,7 +31,7 @@ PatchEdges::PatchEdges(SurfacePieces& pieces, Buffer<Patch>& patches, const Near
 }
 
 int PatchEdges::turn(std::uint32_t patch, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return patches_[patch].projection.turn(pieces_.point(a), pieces_.point(b), pieces_.point(c));
+    return patches_[patch].turn(pieces_.point(a), pieces_.point(b), pieces_.point(c));
 }
 
 void PatchEdges::enlist(Corner c) {
@@ -118,7 +118,6 @@ std::size_t PatchEdges::take_in_edges(const StopRequest& stop) {
         for (const std::uint32_t patch : common) {
             if (side_between(patch, u, v) != no_index || !take_in(patch, u, v, stop)) continue;
             ++taken;
-            patches_[patch].is_touched = true;
             // It stays, in all patches.
             for (const std::uint32_t of : common)
                 if (const Corner side = side_between(of, u, v);
@@ -236,9 +235,10 @@ void PatchEdges::exchange(Corner side) {
     relink(of(side, 1), of(other, 1));
     relink(of(other, 0), cb);
     relink(of(other, 2), at_b);
-    for (const Corner corner : {side, other})
+    for (const Corner corner : {side, other}) {
         is_changed_[pieces_.facet_of_triangle[corner / 3]] = 1;
-    patches_[patch_at(side)].is_touched = true;
+        pieces_.is_new[corner / 3] = 1;
+    }
 }
 
 // Whether the angles opposite an edge have a sum of at most a straight angle, or more only by what
@@ -257,10 +257,13 @@ bool PatchEdges::is_delaunay(Corner side) const {
 }
 
 std::size_t PatchEdges::make_delaunay(bool all, const StopRequest& stop) {
+    Buffer<std::uint8_t> is_touched(allocator_);
+    is_touched.resize(patches_.size(), std::uint8_t{all ? std::uint8_t{1} : std::uint8_t{0}});
+    for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t)
+        if (pieces_.is_new[t] != 0) is_touched[pieces_.patch_of_triangle[t]] = 1;
     Buffer<Corner> sides(allocator_);
     for (Corner side = 0; side < links_.size(); ++side)
-        if (links_[side] != no_index && side < links_[side] &&
-            (all || patches_[patch_at(side)].is_touched))
+        if (links_[side] != no_index && side < links_[side] && is_touched[patch_at(side)] != 0)
             sides.push_back(side);
     std::size_t exchanged = 0;
     // Rounding could make edges take turns, so there is a limit.

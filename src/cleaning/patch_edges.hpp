@@ -9,7 +9,7 @@ namespace mgdt {
 
 class PatchEdges {
   public:
-    PatchEdges(SurfacePieces& pieces, Buffer<Patch>& patches, const Nearness& near,
+    PatchEdges(SurfacePieces& pieces, const Buffer<Projection>& patches, const Nearness& near,
                Buffer<std::uint8_t>& is_changed, Allocator& allocator);
 
     // Makes edges of other triangles, and segments, edges of each patch that has both of their ends
@@ -17,7 +17,7 @@ class PatchEdges {
     // edges patches have got.
     std::size_t take_in_edges(const StopRequest& stop);
     // Exchanges edges of patches until all edges that can be exchanged are locally Delaunay, but
-    // for rounding. Returns how many exchanges that took. Patches that nothing has touched stay as
+    // for rounding. Returns how many exchanges that took. Patches without new triangles stay as
     // they are, unless `all` is set.
     std::size_t make_delaunay(bool all, const StopRequest& stop);
 
@@ -52,7 +52,7 @@ class PatchEdges {
     void list_common_patches(std::uint32_t u, std::uint32_t v, Buffer<std::uint32_t>& common) const;
 
     SurfacePieces& pieces_;
-    Buffer<Patch>& patches_;
+    const Buffer<Projection>& patches_;
     const Nearness& near_;
     Buffer<std::uint8_t>& is_changed_;
     Allocator& allocator_;

@@ -38,19 +38,18 @@ class PatchSearch {
           links_(links(pieces, allocator,
                        [&](std::uint32_t t, std::uint32_t s) { return marker(t) == marker(s); })) {}
 
-    Buffer<Patch> run() {
+    Buffer<Projection> run() {
         Buffer<Seed> seeds(allocator_);
         for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t)
             seeds.push_back({length(normal(t)), t});
         std::sort(seeds.begin(), seeds.end());
         pieces_.patch_of_triangle.resize(0);
         pieces_.patch_of_triangle.resize(pieces_.triangle_count(), no_index);
-        Buffer<Patch> patches(allocator_);
+        Buffer<Projection> patches(allocator_);
         for (const Seed& seed : seeds) {
             if (pieces_.patch_of_triangle[seed.triangle] != no_index) continue;
-            patches.push_back({Projection(normal(seed.triangle)), false});
-            grow(seed.triangle, static_cast<std::uint32_t>(patches.size() - 1),
-                 patches.back().projection);
+            patches.push_back(Projection(normal(seed.triangle)));
+            grow(seed.triangle, static_cast<std::uint32_t>(patches.size() - 1), patches.back());
         }
         return patches;
     }
@@ -104,8 +103,8 @@ class PatchSearch {
 
 }  // namespace
 
-Buffer<Patch> find_patches(SurfacePieces& pieces, const Buffer<std::int32_t>& facet_markers,
-                           const Nearness& near, Allocator& allocator) {
+Buffer<Projection> find_patches(SurfacePieces& pieces, const Buffer<std::int32_t>& facet_markers,
+                                const Nearness& near, Allocator& allocator) {
     return PatchSearch(pieces, facet_markers, near, allocator).run();
 }
 

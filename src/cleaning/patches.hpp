@@ -8,17 +8,12 @@
 
 namespace mgdt {
 
-struct Patch {
-    Projection projection;
-    bool is_touched;  // whether its triangles have been divided or exchanged
-};
-
-// Sets the patch of each triangle, and returns the patches. A patch grows from its largest triangle
-// over edges that exactly two triangles have, with equal markers, and no segment. All of its
-// corners are in the plane of that triangle, exactly or nearly, and its triangles do not overlap at
-// their edges as they are projected. A flat triangle is alone.
-Buffer<Patch> find_patches(SurfacePieces& pieces, const Buffer<std::int32_t>& facet_markers,
-                           const Nearness& near, Allocator& allocator);
+// Sets the patch of each triangle, and returns the projections of the patches. A patch grows from
+// its largest triangle over edges that exactly two triangles have, with equal markers, and no
+// segment. All of its corners are in the plane of that triangle, exactly or nearly, and its
+// triangles do not overlap at their edges as they are projected. A flat triangle is alone.
+Buffer<Projection> find_patches(SurfacePieces& pieces, const Buffer<std::int32_t>& facet_markers,
+                                const Nearness& near, Allocator& allocator);
 
 // For each corner of each triangle, 3 times the triangle beyond the opposite edge plus the corner
 // opposite there; no_index unless exactly two triangles have the edge, they are of one patch, and

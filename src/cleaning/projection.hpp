@@ -13,6 +13,7 @@ namespace mgdt {
 class Projection {
   public:
     Projection() = default;
+    explicit Projection(int axis) : u_((axis + 1) % 3), v_((axis + 2) % 3) {}
     // Along the axis that is nearest to a normal.
     explicit Projection(const Vector<double>& normal) {
         int axis = 0;

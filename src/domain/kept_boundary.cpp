@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "boundary/boundary_edges.hpp"
 #include "domain/regions.hpp"
@@ -54,8 +55,12 @@ void write_points(const Buffer<double>& from, const CanonicalOrder& order, Buffe
     for (int k = 0; k < 3; ++k) size = std::max(size, box.high[k] - box.low[k]);
     for (std::uint32_t corner = 0; corner < box_corners; ++corner)
         for (unsigned k = 0; k < 3; ++k) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            // Large coordinates may hide the margin; the box is around the points nevertheless.
             const double x =
-                (corner >> k & 1) != 0 ? box.high[k] + margin * size : box.low[k] - margin * size;
+                (corner >> k & 1) != 0
+                    ? std::max(box.high[k] + margin * size, std::nextafter(box.high[k], infinity))
+                    : std::min(box.low[k] - margin * size, std::nextafter(box.low[k], -infinity));
             if (!std::isfinite(x))
                 fail(MGDT_ERR_RESOLUTION,
                      "the coordinates are so large that no box around the boundary is possible");

@@ -418,6 +418,11 @@ TEST(Cleaning, LeavesInSoupsOnlyWhatNeedsNewPoints) {
                                     domain.allocator(), progress)
                         .empty());
         if (pairs.empty() && !was_valid) ++became_valid;
+        const std::vector<std::uint32_t> corners(domain.input().corners.begin(),
+                                                 domain.input().corners.end());
+        domain.clean();
+        EXPECT_TRUE(std::equal(corners.begin(), corners.end(), domain.input().corners.begin(),
+                               domain.input().corners.end()));
         if (HasFailure()) return;
     }
     EXPECT_GT(became_valid, 400u);

@@ -53,6 +53,21 @@ TEST(KeptBoundary, KeepsAllTestSurfaces) {
     }
 }
 
+// The size of the set is less than the distance from the largest coordinate to the next double.
+TEST(KeptBoundary, OfATriangleFarAwayIsRefused) {
+    MeshedDomain domain;
+    Surface s("far triangle");
+    s.point(1e-299, -1e-214, 1e-75);
+    s.point(2e-299, -1e-214, 1e-75);
+    s.point(1e-299, std::nextafter(-1e-214, 0), 1e-75);
+    s.facet({0, 1, 2});
+    give(domain, s);
+    for (const bool keeps : {false, true}) {
+        domain.settings().keeps_boundary = keeps;
+        EXPECT_EQ(error_of([&] { domain.build(); }).status, MGDT_ERR_OPEN_BOUNDARY);
+    }
+}
+
 TEST(KeptBoundary, KeepsRandomComplexes) {
     int kept = 0;
     for (unsigned seed = 0; seed < 150; ++seed) {
