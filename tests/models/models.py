@@ -8,12 +8,13 @@ MGDT is the program mgdt. For each surface a line says what became of it. A surf
 meet in common corners and edges only, and closed if it encloses something. What must hold:
 
 - each valid surface that is closed is meshed, and the mesh passes `mgdt mesh --check`, also with --keep-surface,
-  unless doubles do not suffice to keep it;
+  unless doubles do not suffice to keep it, and with --flat 1e-6;
 - each other surface is refused; one that encloses nothing has an edge that one triangle alone has;
+- what --clean or --weld leaves without pairs, as `mgdt validate --repairable` says, and closed, is meshed and checked;
 - with --pairs (facet_pairs.cpp) the pairs that `mgdt validate` lists are those that CGAL finds.
 
-Beside it are Steiner points and processor time, files included, of `mgdt mesh --keep-surface`, of `tetgen -p` and
-`tetgen -pY`, and with --cdt of MarcoAttene/CDT.
+Beside it are Steiner points and processor time, files included, of `mgdt mesh --keep-surface`, of `mgdt mesh --flat
+1e-6 --keep-surface`, of `tetgen -p` and `tetgen -pY`, and with --cdt of MarcoAttene/CDT.
 """
 
 from __future__ import annotations
@@ -168,7 +169,9 @@ class Suite:
             wrong = same_pairs(validation.text, self.options.pairs, off, 10 * self.options.seconds)
         if validation.status == 1:
             made = self.run(mgdt, "mesh", "-q", off.name, "-o", off.stem + ".ele")
-            return wrong or ("invalid" if made.status == 3 else f"invalid, but mesh has status {made.status}")
+            if made.status != 3:
+                return wrong or f"invalid, but mesh has status {made.status}"
+            return wrong or self.cleaned(off)
         if wrong or validation.status != 0:
             return wrong or f"validate: status {validation.status}"
         made = self.run(mgdt, "mesh", off.name, "-o", off.stem + ".ele")
@@ -185,8 +188,26 @@ class Suite:
             checked = self.kept(off, steiner, seconds)
         return "meshed" if checked.status == 0 else f"check: status {checked.status}: {checked.text.strip()[-150:]}"
 
+    def cleaned(self, off: Path) -> str:
+        """What becomes of an invalid surface when it is cleaned."""
+        found = re.search(r"^(--clean|--weld \S+): .*; no pair is left", self.run(
+            self.options.mgdt, "validate", "-q", off.name, "--repairable").text, re.M)
+        if not found:
+            return "invalid"
+        made = self.run(self.options.mgdt, "mesh", "-q", off.name, "-o", off.stem + ".ele", "--check", *found[1].split())
+        if made.status == 3 and "enclose nothing" in made.text:
+            return "open when cleaned"
+        return "cleaned" if made.status == 0 else f"{found[1]}: status {made.status}: {made.text.strip()[-150:]}"
+
     def kept(self, off: Path, steiner: dict[str, int], seconds: dict[str, float]) -> Run:
         command = [self.options.mgdt, "mesh", off.name, "-o", off.stem + ".ele", "--keep-surface"]
+        flat = self.run(*command, "--flat", "1e-6", "--check")
+        added = re.search(r", (\d+) added,", flat.text)
+        if flat.status == 0 and added:
+            steiner["flat"] = int(added[1])
+            seconds["flat"] = flat.seconds
+        elif "cannot be kept" not in flat.text:
+            return flat
         made = self.run(*command)
         if made.status == 3 and "cannot be kept" in made.text:
             return made._replace(status=0)
@@ -229,6 +250,9 @@ FAMILIES = {
 }
 
 
+OUTCOMES = ("invalid", "open", "cleaned", "open when cleaned", "meshed")
+
+
 def table(models: list[Model], names: list[str]) -> None:
     """By family, of the surfaces that all programs mesh: numbers, points, Steiner points, seconds."""
     keys = ["mgdt", *names]
@@ -243,8 +267,9 @@ def table(models: list[Model], names: list[str]) -> None:
 
 def summary(models: list[Model], names: list[str]) -> None:
     meshed = [m for m in models if m.outcome == "meshed"]
-    count = {word: sum(m.outcome == word for m in models) for word in ("invalid", "open", "meshed")}
+    count = {word: sum(m.outcome == word for m in models) for word in OUTCOMES}
     print(f"\n{len(models)} surfaces: {count['invalid']} invalid, {count['open']} enclose nothing, "
+          f"{count['cleaned']} meshed when cleaned, {count['open when cleaned']} open when cleaned, "
           f"{count['meshed']} meshed and checked, {len(models) - sum(count.values())} wrong")
     if not meshed:
         return
@@ -252,6 +277,8 @@ def summary(models: list[Model], names: list[str]) -> None:
           f"{sum(m.steiner['mgdt'] for m in meshed)} Steiner points, median "
           f"{statistics.median(m.steiner['mgdt'] / m.points for m in meshed):.3f} for each point; "
           f"{sum(m.seconds['mgdt'] for m in meshed):.1f} s, the checks {sum(m.seconds['check'] for m in meshed):.1f} s")
+    flat = [m for m in meshed if "flat" in m.steiner]
+    print(f"--flat 1e-6 --keep-surface keeps {len(flat)} of them, with {sum(m.steiner['flat'] for m in flat)} Steiner points")
     kept = [m for m in meshed if "kept" in m.steiner]
     print(f"--keep-surface keeps {len(kept)} of them, {sum(m.steiner['kept'] == 0 for m in kept)} without Steiner points")
     for name in names:
@@ -280,7 +307,7 @@ def main() -> None:
         if getattr(options, name):
             setattr(options, name, os.path.abspath(getattr(options, name)))
     suite = Suite(options)
-    names = ["kept", "tetgen", "tetgen -pY"] + ["cdt"] * bool(options.cdt)
+    names = ["kept", "flat", "tetgen", "tetgen -pY"] + ["cdt"] * bool(options.cdt)
     models = []
     print(f"{'surface':40} {'points':>7} {'facets':>7}  Steiner points, seconds of mgdt, {', '.join(names)}")
     for path in sorted((suite.folder / "surfaces").iterdir()):
@@ -293,7 +320,7 @@ def main() -> None:
               f"{figures if model.outcome == 'meshed' else model.outcome}", flush=True)
     table([m for m in models if m.outcome == "meshed"], names)
     summary(models, names)
-    wrong = [m for m in models if m.outcome not in ("meshed", "open", "invalid")]
+    wrong = [m for m in models if m.outcome not in OUTCOMES]
     if len(models) < options.least:
         print(f"there are {len(models)} surfaces; {options.least} were expected")
     print(f"{len(models) - len(wrong)} passed, {len(wrong) + (len(models) < options.least)} failed")
