@@ -35,7 +35,8 @@ class Cleaning {
             weld_points(result_.points, weld_, allocator_, progress.stop_request());
         start();
         // A point in an edge between the parts of a triangle divides that edge in the next round,
-        // and welding can bring points to new edges. Each round takes half of what remains.
+        // and welding can bring points to new edges. How many rounds there are is not known, so
+        // each one gets half of the progress that remains.
         constexpr int most_rounds = 40;
         for (int round = 0; round < most_rounds; ++round) {
             progress.leave_behind(round == 0 ? 0.1 : 0.5);
