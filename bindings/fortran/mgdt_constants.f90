@@ -352,7 +352,7 @@ module mgdt_constants
     ! 1 if the points that are returned are rounded.
     integer, parameter :: mgdt_mesh_stat_is_rounded = 120
     ! 1 if the mesh is the constrained Delaunay triangulation of its points. mgdt_domain_build()
-    ! makes such a mesh, unless one with fewer Steiner points is none. Since 1.4.
+    ! makes that mesh unless another mesh needs fewer Steiner points. Since 1.4.
     integer, parameter :: mgdt_mesh_stat_is_delaunay = 122
     ! 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
     ! it with the domain. Since 1.4.
@@ -523,7 +523,7 @@ module mgdt_constants
     integer, parameter :: mgdt_domain_stat_points_in_facets = 135
     ! Edges of other facets, and segments, that facets have taken in. Since 1.4.
     integer, parameter :: mgdt_domain_stat_edges_in_facets = 136
-    ! Edges between triangles in one plane that were exchanged for others. Since 1.4.
+    ! Edges between two triangles in one plane that the other diagonal has replaced. Since 1.4.
     integer, parameter :: mgdt_domain_stat_exchanged_edges = 137
 
     ! Arrays.

@@ -93,7 +93,7 @@ enum {
     MGDT_DOMAIN_STAT_POINTS_IN_FACETS = 135,
     /** Edges of other facets, and segments, that facets have taken in. Since 1.4. */
     MGDT_DOMAIN_STAT_EDGES_IN_FACETS = 136,
-    /** Edges between triangles in one plane that were exchanged for others. Since 1.4. */
+    /** Edges between two triangles in one plane that the other diagonal has replaced. Since 1.4. */
     MGDT_DOMAIN_STAT_EXCHANGED_EDGES = 137
 };
 
@@ -286,8 +286,9 @@ MGDT_API mgdt_status mgdt_domain_set_holes(mgdt_domain* d, int64_t n, const doub
  *    corners: what they are in is divided.
  *  - Facets in one plane take in the edges of other facets, and segments, that are in them from one
  *    of their points to another.
- *  - Of facets that cover each other, or of their parts, one stays: that of the smaller facet, so
- *    that a patch keeps its marker, or the first one. MGDT_DOMAIN_ARRAY_COVERED_FACETS has both.
+ *  - Where two facets cover the same place, the smaller facet stays there, so that a facet that
+ *    marks a part of another one keeps its marker. Of facets of equal size the first one stays.
+ *    MGDT_DOMAIN_ARRAY_COVERED_FACETS has both.
  *  - If MGDT_DOMAIN_OPTION_FLATNESS is not 0, facets of one marker that share an edge and are in
  *    one plane, within that distance, become Delaunay triangles in it, as far as edges may be
  *    exchanged. The mesh then needs fewer Steiner points. What the facets cover moves by at most

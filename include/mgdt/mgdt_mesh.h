@@ -105,7 +105,7 @@ enum {
     MGDT_MESH_STAT_MEMORY_BYTES = 110, /**< Memory that the handle holds. */
     MGDT_MESH_STAT_IS_ROUNDED = 120,   /**< 1 if the points that are returned are rounded. */
     /** 1 if the mesh is the constrained Delaunay triangulation of its points. mgdt_domain_build()
-     *  makes such a mesh, unless one with fewer Steiner points is none. Since 1.4. */
+     *  makes that mesh unless another mesh needs fewer Steiner points. Since 1.4. */
     MGDT_MESH_STAT_IS_DELAUNAY = 122,
     /** 1 if the mesh is as mgdt_domain_build() has made it, so that mgdt_domain_check() can compare
      *  it with the domain. Since 1.4. */

@@ -18,9 +18,9 @@ struct CoveredFacet {
     }
 };
 
-// Removes all but one of triangles with the same corners. The one of the smallest facet stays, and
-// of equally large facets that of the first, so that a facet that marks a part of a larger one
-// keeps its marker. Appends the facets that lose triangles to `covered`, and marks them in
+// Of several triangles with the same corners, keeps the one of the smallest facet. So a facet that
+// marks a part of a larger one keeps its marker. If facets are equally large, the triangle of the
+// first facet stays. Appends the facets that lose triangles to `covered`, and marks them in
 // `is_changed`. Returns whether there are any.
 bool remove_equal_triangles(SurfacePieces& pieces, const Buffer<double>& facet_areas,
                             Buffer<CoveredFacet>& covered, Buffer<std::uint8_t>& is_changed,

@@ -33,7 +33,7 @@ bool BoundaryRecovery::run() {
            (PointRemoval(mesh_, flips_, missing_.allocator()).run(first_added_, stop_), true);
 }
 
-// Lists the segments that are no edges.
+// Lists the segments of the boundary that are not edges of the mesh.
 void BoundaryRecovery::find_missing_segments() {
     Buffer<std::uint8_t> is_edge(missing_.allocator());
     is_edge.resize(input_.segments.size() / 2, std::uint8_t{0});
@@ -51,7 +51,7 @@ void BoundaryRecovery::find_missing_segments() {
         if (is_edge[i] == 0) missing_.push_back(i);
 }
 
-// Lists the triangles that are no faces.
+// Lists the triangles of the boundary that are not faces of the mesh.
 void BoundaryRecovery::find_missing_triangles() {
     const TriangleTable table(input_.triangles, first_added_, missing_.allocator());
     Buffer<std::uint8_t> is_face(missing_.allocator());

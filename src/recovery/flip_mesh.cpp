@@ -152,8 +152,8 @@ std::uint32_t FlipMesh::split(std::uint32_t t, const double (&x)[3]) {
     return z;
 }
 
-// Whether the direction from a, a corner of a tetrahedron, to b runs in it. If not, `next` is the
-// neighbour at a behind a face that the direction leaves behind.
+// Whether a ray from a, which is a corner of tetrahedron t, to b begins inside of t. If not, `next`
+// becomes the neighbour behind a face at a that has the ray on its outer side.
 bool FlipMesh::contains_direction(std::uint32_t t, std::uint32_t a, std::uint32_t b,
                                   std::uint32_t& next) const noexcept {
     const Tetrahedron& tet = tetrahedra[t];

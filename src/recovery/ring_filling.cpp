@@ -7,8 +7,9 @@
 
 namespace mgdt {
 
-// A part with more than `most` crossings is of no use: an edge that counts for less than nothing is
-// the segment itself, and then no other part crosses it.
+// Parts with more than `most` crossings are left out. Only one edge has a negative count: the
+// segment itself. A filling that has it crosses nothing else, so no part of that filling is left
+// out.
 RingFilling::Part RingFilling::best_part(std::size_t i, std::size_t j, const Crossings& crossings,
                                          int most) const {
     Part best = {0, 0, no_index};
