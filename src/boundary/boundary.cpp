@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "boundary/boundary.hpp"
 
+#include "platform/error.hpp"
+
 namespace mgdt {
 
 Simplex Boundary::simplex(std::size_t i) const noexcept {
@@ -24,6 +26,25 @@ Simplex Boundary::simplex(std::size_t i) const noexcept {
 
 BoundingBox Boundary::box(std::size_t i) const noexcept {
     return box_of(simplex(i));
+}
+
+Buffer<BoundingBox> boxes_of(const Boundary& boundary, double margin, Team& team,
+                             Allocator& allocator) {
+    const std::size_t n = boundary.size();
+    constexpr std::size_t most = 0x7FFFFFFFu, simplices_per_thread = 4096;
+    if (n > most)
+        fail(MGDT_ERR_TOO_LARGE, "%zu facets and segments are more than can be numbered", n);
+    Buffer<BoundingBox> boxes(allocator, n);
+    team.split(n, simplices_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            boxes[i] = boundary.box(i);
+            for (int k = 0; k < 3; ++k) {
+                boxes[i].low[k] -= margin;
+                boxes[i].high[k] += margin;
+            }
+        }
+    });
+    return boxes;
 }
 
 void find_lone_points(Boundary& boundary, Allocator& allocator) {

@@ -28,6 +28,11 @@ struct Boundary {
     Buffer<std::uint32_t> lone_points;  // the points that no triangle or segment has
 };
 
+// The boxes of all simplices, each larger by `margin` on all sides. Refuses more simplices than can
+// be numbered.
+Buffer<BoundingBox> boxes_of(const Boundary& boundary, double margin, Team& team,
+                             Allocator& allocator);
+
 // Sets the lone points.
 void find_lone_points(Boundary& boundary, Allocator& allocator);
 

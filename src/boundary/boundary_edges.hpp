@@ -24,6 +24,17 @@ struct BoundaryEdge {
 // the same ends.
 Buffer<BoundaryEdge> sorted_edges(const Boundary& boundary, Allocator& allocator);
 
+// Calls f(first, end) for the elements first to end - 1 of sorted edges that have the same ends.
+template <class F>
+void for_each_edge(const Buffer<BoundaryEdge>& edges, F f) {
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i + 1;
+        while (end < edges.size() && edges[end].has_ends_of(edges[i])) ++end;
+        f(i, end);
+        i = end;
+    }
+}
+
 // An edge that belongs to one of the caller's facets only: the surface is open there.
 struct OpenEdge {
     std::uint32_t ends[2];  // the caller's points

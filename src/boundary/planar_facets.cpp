@@ -30,9 +30,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     const Buffer<BoundaryEdge> edges = sorted_edges(boundary, allocator);
     DisjointSets sets(allocator, triangles);
     Buffer<std::uint32_t> on_border(allocator);  // sides that are segments
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i + 1;
-        while (end < edges.size() && edges[end].has_ends_of(edges[i])) ++end;
+    for_each_edge(edges, [&](std::size_t i, std::size_t end) {
         const bool joins = end - i == 2 && !edges[i + 1].is_segment() &&
                            markers[edges[i].side / 3] == markers[edges[i + 1].side / 3] &&
                            continue_each_other(boundary, edges[i], edges[i + 1]);
@@ -44,8 +42,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
             for (std::size_t k = i; k < end; ++k)
                 if (!edges[k].is_segment()) on_border.push_back(edges[k].side);
         }
-        i = end;
-    }
+    });
     result.of_triangle.resize(triangles);
     for (std::uint32_t t = 0; t < triangles; ++t) {
         const std::uint32_t least = sets.least(t);

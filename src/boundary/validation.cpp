@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "parallel/per_member.hpp"
-#include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -25,17 +24,12 @@ bool are_equal_triangles(const Simplex& a, const Simplex& b) {
 
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
                                       StageProgress& progress) {
-    const std::size_t n = boundary.size();
-    constexpr std::size_t most = 0x7FFFFFFFu, simplices_per_thread = 4096;
-    if (n > most)
-        fail(MGDT_ERR_TOO_LARGE, "%zu facets and segments are more than can be numbered", n);
-    Buffer<BoundingBox> boxes(allocator, n);
+    const Buffer<BoundingBox> boxes = boxes_of(boundary, 0, team, allocator);
+    const std::size_t n = boxes.size();
+    constexpr std::size_t simplices_per_thread = 4096;
     Buffer<std::uint8_t> flat(allocator, n);
     team.split(n, simplices_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = boundary.box(i);
-            flat[i] = is_flat(boundary.simplex(i)) ? 1 : 0;
-        }
+        for (std::size_t i = begin; i < end; ++i) flat[i] = is_flat(boundary.simplex(i)) ? 1 : 0;
     });
     PerMember<Buffer<OffendingPair>> found(team, allocator, std::ref(allocator));
     const BoxTree tree(allocator, boxes, progress.stop_request());

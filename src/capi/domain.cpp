@@ -87,10 +87,9 @@ const OwnOptions<DomainSettings> domain_options = {
     {MGDT_DOMAIN_OPTION_KEEP_BOUNDARY, &DomainSettings::keeps_boundary}};
 
 constexpr double most_share = 0.1;  // of the size of the points
-constexpr DoubleOption<DomainSettings, CleaningDistances> double_options[] = {
-    {MGDT_DOMAIN_OPTION_WELD, &DomainSettings::distances, &CleaningDistances::weld, most_share},
-    {MGDT_DOMAIN_OPTION_FLATNESS, &DomainSettings::distances, &CleaningDistances::flatness,
-     most_share}};
+constexpr DoubleOption<DomainSettings> double_options[] = {
+    {MGDT_DOMAIN_OPTION_WELD, &DomainSettings::weld, most_share},
+    {MGDT_DOMAIN_OPTION_FLATNESS, &DomainSettings::flatness, most_share}};
 
 namespace of_domain {
 

@@ -43,12 +43,11 @@ class OwnOption {
 template <class Settings>
 using OwnOptions = std::initializer_list<OwnOption<Settings>>;
 
-// A double of one handle: a member of a member of its settings, at least 0 and below `bound`.
-template <class Settings, class Part>
+// A double of one handle, at least 0 and below `bound`.
+template <class Settings>
 struct DoubleOption {
     std::int32_t key;
-    Part Settings::*part;
-    double Part::*value;
+    double Settings::*value;
     double bound;
 };
 
@@ -120,7 +119,7 @@ mgdt_status set_double_option(H* handle, std::int32_t key, double value, const O
                 fail(MGDT_ERR_INVALID_ARGUMENT,
                      "%g is out of the range of option %d, which is from 0 to less than %g", value,
                      static_cast<int>(key), option.bound);
-            handle->object.settings().*option.part.*option.value = value;
+            handle->object.settings().*option.value = value;
         },
         name);
 }
@@ -132,7 +131,7 @@ mgdt_status get_double_option(const H* handle, std::int32_t key, double* value, 
         [&] {
             require_pointer(value, "value");
             const auto& option = double_option(own, key);
-            *value = handle->object.settings().*option.part.*option.value;
+            *value = handle->object.settings().*option.value;
         },
         name);
 }

@@ -8,6 +8,7 @@
 #include "cleaning/patch_edges.hpp"
 #include "cleaning/patches.hpp"
 #include "cleaning/welding.hpp"
+#include "platform/take_out_repeats.hpp"
 
 namespace mgdt {
 namespace {
@@ -34,9 +35,9 @@ class Cleaning {
         result_.counts.moved_points =
             weld_points(result_.points, weld_, allocator_, progress.stop_request());
         start();
-        // A point in an edge between the parts of a triangle divides that edge in the next round,
-        // and welding can bring points to new edges. How many rounds there are is not known, so
-        // each one gets half of the progress that remains.
+        // A round can leave something to the next one: a point in an edge that the round has made,
+        // or a point near an edge that it has bent. The number of rounds is not known in advance,
+        // so each one gets half of the progress that remains.
         constexpr int most_rounds = 40;
         for (int round = 0; round < most_rounds; ++round) {
             progress.leave_behind(round == 0 ? 0.1 : 0.5);
@@ -59,10 +60,8 @@ class Cleaning {
         is_changed_.resize(input_.facet_count(), std::uint8_t{0});
         for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t) {
             const std::uint32_t* const v = pieces_.triangle(t);
-            const Vector<double> a = weld_.scaled(pieces_.point(v[0])),
-                                 b = weld_.scaled(pieces_.point(v[1])),
-                                 c = weld_.scaled(pieces_.point(v[2]));
-            areas_[pieces_.facet_of_triangle[t]] += length(cross(b - a, c - a));
+            areas_[pieces_.facet_of_triangle[t]] +=
+                length(weld_.normal(pieces_.point(v[0]), pieces_.point(v[1]), pieces_.point(v[2])));
         }
         // A polygon whose corners are on one line is one that has collapsed.
         for (const std::uint32_t f : complex_.bad_facets)
@@ -120,9 +119,7 @@ class Cleaning {
             const std::uint32_t f = pieces_.facet_of_triangle[a], g = pieces_.facet_of_triangle[b];
             return f != g ? f < g : a < b;
         });
-        std::sort(result_.covered.begin(), result_.covered.end());
-        result_.covered.resize(static_cast<std::size_t>(
-            std::unique(result_.covered.begin(), result_.covered.end()) - result_.covered.begin()));
+        take_out_repeats(result_.covered);
         const CoveredFacet* covered = result_.covered.begin();
         result_.facet_begin.push_back(0);
         std::size_t at = 0;
@@ -152,7 +149,7 @@ class Cleaning {
             result_.segment_origins.push_back(pieces_.source_of_segment[s]);
         }
     }
-    // A facet that has not been divided, without corners that repeat the ones before.
+    // Writes a facet that has not been changed. Corners that equal the ones before are left out.
     void write_whole(std::uint32_t f) {
         const std::size_t first = result_.corners.size();
         Buffer<std::uint32_t>& corners = result_.corners;

@@ -124,10 +124,8 @@ class Division {
         for (std::uint32_t t = 0; t < pieces_.triangle_count(); ++t) {
             const std::uint32_t* const v = pieces_.triangle(t);
             const std::uint32_t facet = pieces_.facet_of_triangle[t];
-            const Vector<double> a = near_.scaled(pieces_.point(v[0])),
-                                 b = near_.scaled(pieces_.point(v[1])),
-                                 c = near_.scaled(pieces_.point(v[2]));
-            parts.start(v, Projection(cross(b - a, c - a)));
+            parts.start(v, Projection(near_.normal(pieces_.point(v[0]), pieces_.point(v[1]),
+                                                   pieces_.point(v[2]))));
             for (int k = 0; k < 3; ++k)
                 with_points_on(v[k], v[(k + 1) % 3], [&](std::size_t count, auto point_at) {
                     parts.divide_edge(v[k], v[(k + 1) % 3], count, point_at);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "parallel/per_member.hpp"
-#include "platform/error.hpp"
+#include "platform/take_out_repeats.hpp"
 #include "predicates/foot_weights.hpp"
 #include "predicates/predicates.hpp"
 
@@ -33,9 +33,7 @@ class IncidenceSearch {
                     on_edges_.push_back(f);
             }
         Buffer<Incidences::Incidence>& inside = result.in_triangles;
-        std::sort(inside.begin(), inside.end());
-        inside.resize(
-            static_cast<std::size_t>(std::unique(inside.begin(), inside.end()) - inside.begin()));
+        take_out_repeats(inside);
         sort_along_edges();
         for (const Found& f : on_edges_) {
             const std::uint32_t edge = result.edges.add(f.edge[0], f.edge[1]);
@@ -55,21 +53,7 @@ class IncidenceSearch {
 
     void find_all(StageProgress& progress) {
         const Boundary& boundary = pieces_.boundary;
-        const std::size_t n = boundary.size();
-        constexpr std::size_t most = 0x7FFFFFFFu, simplices_per_thread = 4096;
-        if (n > most)
-            fail(MGDT_ERR_TOO_LARGE, "%zu facets and segments are more than can be numbered", n);
-        const double distance = near_.distance();
-        Buffer<BoundingBox> boxes(allocator_, n);
-        team_.split(n, simplices_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t i = begin; i < end; ++i) {
-                boxes[i] = boundary.box(i);
-                for (int k = 0; k < 3; ++k) {
-                    boxes[i].low[k] -= distance;
-                    boxes[i].high[k] += distance;
-                }
-            }
-        });
+        const Buffer<BoundingBox> boxes = boxes_of(boundary, near_.distance(), team_, allocator_);
         const BoxTree tree(allocator_, boxes, progress.stop_request());
         tree.for_each_pair(team_, progress, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
             const Simplex a = boundary.simplex(i), b = boundary.simplex(j);

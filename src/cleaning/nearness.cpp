@@ -77,8 +77,8 @@ bool Nearness::is_apart_from_plane(const double* a, const double* b, const doubl
 bool Nearness::is_in_plane(const double* a, const double* b, const double* c,
                            const double* p) const {
     if (is_exact()) return orientation(a, b, c, p) == 0;
-    const Vector<double> o = scaled(a), normal = cross(scaled(b) - o, scaled(c) - o);
-    return std::fabs(dot(normal, scaled(p) - o)) <= distance_ * length(normal);
+    const Vector<double> across = normal(a, b, c);
+    return std::fabs(dot(across, scaled(p) - scaled(a))) <= distance_ * length(across);
 }
 
 }  // namespace mgdt

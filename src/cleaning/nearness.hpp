@@ -19,6 +19,11 @@ class Nearness {
     // A point as a vector of ordinary size: multiplied by a power of two, so that no coordinate is
     // larger than 1.
     Vector<double> scaled(const double* x) const noexcept;
+    // The normal of the triangle abc, in these units. Its length is twice the area.
+    Vector<double> normal(const double* a, const double* b, const double* c) const noexcept {
+        const Vector<double> o = scaled(a);
+        return cross(scaled(b) - o, scaled(c) - o);
+    }
     // The distance in the units of scaled().
     double scaled_distance() const noexcept { return distance_; }
 

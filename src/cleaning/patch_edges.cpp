@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "platform/take_out_repeats.hpp"
 #include "solid/pair_table.hpp"
 
 namespace mgdt {
@@ -75,9 +76,8 @@ void PatchEdges::list_patches() {
         patches.clear();
         for (Corner c = first_at_[v]; c != no_index; c = next_at_[c])
             patches.push_back(patch_at(c));
-        std::sort(patches.begin(), patches.end());
-        for (std::size_t i = 0; i < patches.size(); ++i)
-            if (i == 0 || patches[i] != patches[i - 1]) patches_at_.push_back(patches[i]);
+        take_out_repeats(patches);
+        for (const std::uint32_t patch : patches) patches_at_.push_back(patch);
         first_patch_[v + 1] = static_cast<std::uint32_t>(patches_at_.size());
     }
 }

@@ -14,16 +14,13 @@ Buffer<std::uint32_t> links(const SurfacePieces& pieces, Allocator& allocator, M
     const Buffer<BoundaryEdge> edges = sorted_edges(pieces.boundary, allocator);
     Buffer<std::uint32_t> result(allocator);
     result.resize(pieces.boundary.triangles.size(), no_index);
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i + 1;
-        while (end < edges.size() && edges[end].has_ends_of(edges[i])) ++end;
+    for_each_edge(edges, [&](std::size_t i, std::size_t end) {
         if (end - i == 2 && !edges[i + 1].is_segment() &&
             may_join(edges[i].side / 3, edges[i + 1].side / 3)) {
             result[edges[i].side] = edges[i + 1].side;
             result[edges[i + 1].side] = edges[i].side;
         }
-        i = end;
-    }
+    });
     return result;
 }
 
@@ -68,8 +65,7 @@ class PatchSearch {
         return pieces_.point(pieces_.triangle(t)[k % 3]);
     }
     Vector<double> normal(std::uint32_t t) const {
-        const Vector<double> a = near_.scaled(corner(t, 0));
-        return cross(near_.scaled(corner(t, 1)) - a, near_.scaled(corner(t, 2)) - a);
+        return near_.normal(corner(t, 0), corner(t, 1), corner(t, 2));
     }
 
     void grow(std::uint32_t seed, std::uint32_t patch, const Projection& projection) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "platform/take_out_repeats.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -52,9 +53,7 @@ void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& cross
                 {make_face(a, b, c, is_inside ? inside : tet.n[i], tet.facets[i]), is_above});
         }
     }
-    std::sort(corners_.begin(), corners_.end());
-    corners_.resize(
-        static_cast<std::size_t>(std::unique(corners_.begin(), corners_.end()) - corners_.begin()));
+    take_out_repeats(corners_);
 }
 
 // Fills the part of the cavity on one side of the facet.

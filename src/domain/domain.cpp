@@ -10,6 +10,7 @@
 #include "domain/mesh_comparison.hpp"
 #include "parallel/thread_count.hpp"
 #include "platform/objects.hpp"
+#include "platform/take_out_repeats.hpp"
 
 namespace mgdt {
 namespace {
@@ -73,7 +74,7 @@ void Domain::clean() {
     const StopFlag::Call call(stop_);
     StageProgress progress(settings_, stop_);
     Team team(thread_count(settings_));
-    CleanedFacets made = mgdt::clean(input_, settings_.distances, team, allocator_, progress);
+    CleanedFacets made = mgdt::clean(input_, settings_, team, allocator_, progress);
     CleaningRecord record(allocator_);
     record.counts = made.counts;
     Buffer<std::int32_t> facet_markers(allocator_), segment_markers(allocator_);
@@ -88,9 +89,7 @@ void Domain::clean() {
     record.covered.copy(cleaned_.covered);
     for (const CoveredFacet& c : made.covered)
         record.covered.push_back({input_.facet_origin(c.facet), input_.facet_origin(c.by)});
-    std::sort(record.covered.begin(), record.covered.end());
-    record.covered.resize(static_cast<std::size_t>(
-        std::unique(record.covered.begin(), record.covered.end()) - record.covered.begin()));
+    take_out_repeats(record.covered);
     progress.finish();
     forget_results();
     cleaned_ = std::move(record);
@@ -142,8 +141,7 @@ void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const 
     for (const std::uint32_t f : complex.bad_facets)
         found.push_back({{Offence::facet, f}, {Offence::facet, f}});
     if (found.empty()) return;
-    std::sort(found.begin(), found.end());
-    found.resize(static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin()));
+    take_out_repeats(found);
     offences_ = std::move(found);
     const Offence& o = offences_[0];
     if (o.first == o.second)
@@ -351,8 +349,8 @@ bool Domain::make_with_fewest(Complex complex, StageProgress& progress, SolidMes
     return true;
 }
 
-// Makes the constrained Delaunay mesh, on the usual grid or on the finest one, if so many points on
-// segments suffice.
+// Makes the constrained Delaunay mesh, on the usual grid or on the finest one. Returns false if
+// that takes more than `most_points` points on segments.
 bool Domain::make_delaunay(Complex complex, std::size_t most_points, StageProgress& progress,
                            SolidMesh& mesh) {
     Attempts attempts;

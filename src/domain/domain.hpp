@@ -19,12 +19,11 @@
 
 namespace mgdt {
 
-struct DomainSettings : CallSettings {
+struct DomainSettings : CallSettings, CleaningDistances {
     bool rounds_points = false;
     bool keeps_boundary = false;       // every triangle of a facet is to be one face
     bool is_strict = false;            // refuses a mesh that leaves out what was set
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
-    CleaningDistances distances;
 };
 
 // What cleaning has done since the caller has set facets.
@@ -103,7 +102,7 @@ class Domain {
     const CleaningRecord& cleaned() const noexcept { return cleaned_; }
 
   private:
-    // The caller's number of a point, facet or other item.
+    // The number that the caller has for an index: it counts from the index base.
     long long number(std::uint32_t index) const noexcept {
         return static_cast<long long>(index) + settings_.index_base;
     }

@@ -5,6 +5,7 @@
 
 #include "kernel/circumsphere.hpp"
 #include "mesh/scale.hpp"
+#include "platform/take_out_repeats.hpp"
 
 namespace mgdt {
 namespace {
@@ -17,13 +18,6 @@ constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
 
 // The least number of words at which repeated words are removed.
 constexpr std::size_t many_wishes = std::size_t{1} << 16;
-
-template <class T>
-void take_out_repeats(Buffer<T>& items, std::size_t first = 0) {
-    std::sort(items.begin() + first, items.end());
-    const T* const end = std::unique(items.begin() + first, items.end());
-    items.resize(static_cast<std::size_t>(end - items.begin()));
-}
 
 // Whether the ball is within the box of the part. Such a ball contains no points of other parts.
 bool is_within(const Sphere& s, const double* base, const double* low, const double* high) {

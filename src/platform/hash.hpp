@@ -7,15 +7,17 @@
 
 namespace mgdt {
 
+// Adds a word to a hash of 64 bits.
+constexpr std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) noexcept {
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+    return hash ^ hash >> 29;
+}
+
 // A hash of integers in their order.
 template <class... Word>
 constexpr std::uint32_t hash_of_words(Word... words) noexcept {
     std::uint64_t h = 0;
-    const auto add = [&h](std::uint64_t word) {
-        h = (h ^ word) * 0x9E3779B97F4A7C15u;
-        h ^= h >> 29;
-    };
-    (add(static_cast<std::uint64_t>(words)), ...);
+    ((h = mixed(h, static_cast<std::uint64_t>(words))), ...);
     return static_cast<std::uint32_t>(h ^ h >> 32);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "mesh/bounding_box.hpp"
+#include "platform/hash.hpp"
 #include "platform/no_index.hpp"
 #include "predicates/predicates.hpp"
 #include "recovery/flip_mesh.hpp"
@@ -27,9 +28,7 @@ class Crossings {
     }
 
     // A hash of what is missing.
-    std::uint64_t hash() const noexcept {
-        return (std::uint64_t{a_} << 42) + (std::uint64_t{b_} << 21) + c_;
-    }
+    std::uint64_t hash() const noexcept { return mixed(mixed(mixed(0, a_), b_), c_); }
 
     // What the edge that is missing itself counts for: less than nothing, so that it is preferred.
     static constexpr int found = -1000;

@@ -15,19 +15,14 @@ int Flips::crossings_of(const EdgeRing& ring, const Crossings& crossings) const 
 // Finds a filling with at most `most` crossings. The same rings come again and again while flips go
 // deeper, so those without a filling are remembered.
 bool Flips::find_filling(const EdgeRing& ring, const Crossings& crossings, int most) {
-    constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
     std::uint64_t hash = crossings.hash();
-    const auto add = [&](std::uint64_t x) {
-        hash = (hash ^ x) * factor;
-        hash ^= hash >> 32;
+    // A point that is added later may get the number of one that was taken back.
+    const auto add = [&](std::uint32_t v) {
+        hash = mixed(hash, std::uint64_t{v} << 32 | hash_of_coordinates(mesh_.point(v)));
     };
-    // The number of a point that was taken back may be that of another one later.
-    const auto add_vertex = [&](std::uint32_t v) {
-        add(std::uint64_t{v} << 32 | hash_of_coordinates(mesh_.point(v)));
-    };
-    add_vertex(ring.p);
-    add_vertex(ring.q);
-    for (const std::uint32_t v : ring.v) add_vertex(v);
+    add(ring.p);
+    add(ring.q);
+    for (const std::uint32_t v : ring.v) add(v);
     if (failed_.empty()) failed_.resize(failures, Failure{0, 0});
     Failure& failure = failed_[hash % failures];
     if (failure.ring == hash && most <= failure.most) return false;

@@ -61,7 +61,7 @@ class Flips {
         Buffer<std::uint32_t> spokes;
     };
 
-    // That a ring has no filling with at most so many crossings.
+    // Remembers that a ring has no filling with `most` crossings or fewer.
     struct Failure {
         std::uint64_t ring;  // a hash of the ring and of what is missing
         int most;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "platform/take_out_repeats.hpp"
 #include "recovery/flatness.hpp"
 
 namespace mgdt {
@@ -50,9 +51,7 @@ void PointRemoval::collect_star(std::uint32_t v) {
     for (const std::uint32_t t : star_)
         for (const std::uint32_t neighbor : mesh_.tetrahedra[t].v)
             if (neighbor != v) neighbors_.push_back(neighbor);
-    std::sort(neighbors_.begin(), neighbors_.end());
-    neighbors_.resize(static_cast<std::size_t>(std::unique(neighbors_.begin(), neighbors_.end()) -
-                                               neighbors_.begin()));
+    take_out_repeats(neighbors_);
 }
 
 // Moves a vertex to the neighbour for which the flattest tetrahedron is best.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "platform/error.hpp"
+#include "platform/take_out_repeats.hpp"
 #include "predicates/predicates.hpp"
 #include "recovery/crossings.hpp"
 
@@ -33,9 +34,7 @@ TriangleWalk::Result TriangleWalk::run(const std::uint32_t (&v)[3]) {
                     if (m != k && m != l && t.n[m] != no_index) enter(t.n[m] / 4);
             }
     }
-    std::sort(edges_.begin(), edges_.end());
-    edges_.resize(
-        static_cast<std::size_t>(std::unique(edges_.begin(), edges_.end()) - edges_.begin()));
+    take_out_repeats(edges_);
     return Result::crosses;
 }
 

@@ -19,7 +19,8 @@ namespace {
 
 // Cleans a domain, and makes and checks its mesh.
 void clean_and_build(MeshedDomain& domain, double weld = 0, double flatness = 0) {
-    domain.settings().distances = {weld, flatness};
+    domain.settings().weld = weld;
+    domain.settings().flatness = flatness;
     domain.clean();
     for (const bool keeps : {false, true}) {
         domain.settings().keeps_boundary = keeps;
@@ -123,7 +124,7 @@ TEST(Cleaning, MovesPointsByAtMostTheDistance) {
         for (int i = 0; i < 3000; ++i) points.push_back(i % 3 == 2 ? 0 : anywhere(random));
         std::vector<double> before(points.begin(), points.end());
         domain.set_points(std::move(points));
-        domain.settings().distances.weld = share;
+        domain.settings().weld = share;
         const double distance = Nearness(share, domain.input().points).distance();
         EXPECT_NEAR(distance, share * std::sqrt(2), 1e-2 * share);
         domain.clean();
@@ -306,7 +307,8 @@ TEST(Cleaning, ChangesNothingTheSecondTime) {
         give(domain, kind == 0   ? cube_with_hanging_point()
                      : kind == 1 ? torn(torus(20, 10), 1e-9, 7)
                                  : cube_with_patch({{0.25, 0.5}, {0.5, 0.25}, {0.75, 0.5}}));
-        domain.settings().distances = {1e-8, kind == 1 ? 1e-8 : 0.0};
+        domain.settings().weld = 1e-8;
+        domain.settings().flatness = kind == 1 ? 1e-8 : 0.0;
         domain.clean();
         const std::vector<std::uint32_t> corners(domain.input().corners.begin(),
                                                  domain.input().corners.end());
