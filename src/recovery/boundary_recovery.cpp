@@ -20,6 +20,7 @@ BoundaryRecovery::BoundaryRecovery(FlipMesh& mesh, const RecoveryInput& input,
       flips_(mesh, kept_, allocator),
       walk_(mesh, allocator),
       over_(mesh, allocator),
+      patch_(mesh, kept_, input.triangles, first_added_, allocator),
       chain_(mesh, allocator),
       sheet_(mesh, allocator),
       missing_(allocator),
@@ -82,6 +83,7 @@ bool BoundaryRecovery::recover_segments() {
     } stages[] = {{0, false}, {1, false}, {2, false}, {2, true}, {2, true}, {2, true}};
     for (const Stage& stage : stages) {
         adds_points_ = stage.adds_points;
+        patch_.forget_failures();
         keep_missing([&](std::uint32_t i) {
             const std::uint32_t* const ends = input_.segments.begin() + 2 * std::size_t{i};
             return recover_segment(ends[0], ends[1], stage.depth);
@@ -135,6 +137,8 @@ bool BoundaryRecovery::recover_segment(std::uint32_t a, std::uint32_t b, unsigne
         flips_.set_budget(effort_.rings[0]);
     else
         set_budget(effort_.rings[depth]);
+    if (adds_points_ && walk_.run(a, b) == CrossingWalk::Result::crosses && patch_.recover(a, b))
+        return true;
     const bool is_done = flip_segment(a, b, crossings, depth);
     if (depth > 0) spend_budget();
     if (is_done || !adds_points_) return is_done;

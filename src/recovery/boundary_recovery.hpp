@@ -5,6 +5,7 @@
 #include "platform/stop_request.hpp"
 #include "recovery/crossing_walk.hpp"
 #include "recovery/flips.hpp"
+#include "recovery/patch_recovery.hpp"
 #include "recovery/segment_chain.hpp"
 #include "recovery/triangle_sheet.hpp"
 
@@ -61,6 +62,7 @@ class BoundaryRecovery {
     Flips flips_;
     CrossingWalk walk_;
     TriangleWalk over_;
+    PatchRecovery patch_;
     SegmentChain chain_;
     TriangleSheet sheet_;
     std::uint32_t lost_edge_[2] = {no_index, no_index};

@@ -21,10 +21,12 @@ std::uint32_t FlipMesh::add_point(const double (&x)[3]) {
 
 FlipMesh::Face FlipMesh::make_face(const std::uint32_t (&v)[4], unsigned position) noexcept {
     const unsigned char* const f = outer_face[position];
-    Face face = {{v[f[0]], v[f[1]], v[f[2]]}, no_index, false};
-    if (face.v[0] > face.v[1]) std::swap(face.v[0], face.v[1]);
-    if (face.v[1] > face.v[2]) std::swap(face.v[1], face.v[2]);
-    if (face.v[0] > face.v[1]) std::swap(face.v[0], face.v[1]);
+    Face face = {{v[f[0]], v[f[1]], v[f[2]]}, no_index, false, false};
+    for (const int i : {0, 1, 0})
+        if (face.v[i] > face.v[i + 1]) {
+            std::swap(face.v[i], face.v[i + 1]);
+            face.is_odd = !face.is_odd;
+        }
     return face;
 }
 
@@ -52,24 +54,25 @@ std::uint32_t FlipMesh::new_slot() {
 // Finds the faces with which those of the new tetrahedra are joined. Returns false if the new
 // tetrahedra have other outer faces than those that leave.
 bool FlipMesh::pair_faces(const Buffer<std::uint32_t>& removed, const Buffer<Corners>& added) {
-    leaves_.grow(tetrahedra.size());
-    leaves_.resize(tetrahedra.size(), 0);
+    marks_.grow(tetrahedra.size());
+    marks_.resize(tetrahedra.size(), 0);
     faces_.clear();
     std::size_t size = 16;
     while (size < 8 * (removed.size() + added.size())) size *= 2;
     table_.clear();
     table_.resize(size, 0u);
-    for (const std::uint32_t t : removed) leaves_[t] = 1;
+    for (const std::uint32_t t : removed) marks_[t] = 1;
     for (const std::uint32_t t : removed)
         for (unsigned i = 0; i < 4; ++i) {
             const std::uint32_t behind = tetrahedra[t].n[i];
-            if (behind != no_index && leaves_[behind / 4] != 0) continue;
+            if (behind != no_index && marks_[behind / 4] != 0) continue;
             Face face = make_face(tetrahedra[t].v, i);
             face.code = behind;
+            face.is_odd = !face.is_odd;
             faces_.push_back(face);
             place_of(face) = static_cast<std::uint32_t>(faces_.size());
         }
-    for (const std::uint32_t t : removed) leaves_[t] = 0;
+    for (const std::uint32_t t : removed) marks_[t] = 0;
     outer_faces_ = faces_.size();
     links_.clear();
     std::size_t open = faces_.size();
@@ -86,7 +89,8 @@ bool FlipMesh::pair_faces(const Buffer<std::uint32_t>& removed, const Buffer<Cor
                 continue;
             }
             links_.push_back(place - 1);
-            if (faces_[place - 1].is_paired) return false;
+            if (faces_[place - 1].is_paired || faces_[place - 1].is_odd == face.is_odd)
+                return false;
             faces_[place - 1].is_paired = true;
             --open;
         }
@@ -183,15 +187,20 @@ std::uint32_t FlipMesh::tetrahedron_towards(std::uint32_t a, std::uint32_t b) {
     });
 }
 
-void FlipMesh::collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) const {
+void FlipMesh::collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) {
+    marks_.grow(tetrahedra.size());
+    marks_.resize(tetrahedra.size(), 0);
     star.clear();
     star.push_back(hints[v]);
+    marks_[hints[v]] = 1;
     for (std::size_t i = 0; i < star.size(); ++i)
         for (unsigned k = 0; k < 4; ++k) {
             const Tetrahedron& t = tetrahedra[star[i]];
-            if (t.v[k] != v && std::find(star.begin(), star.end(), t.n[k] / 4) == star.end())
-                star.push_back(t.n[k] / 4);
+            if (t.v[k] == v || marks_[t.n[k] / 4] != 0) continue;
+            star.push_back(t.n[k] / 4);
+            marks_[star.back()] = 1;
         }
+    for (const std::uint32_t t : star) marks_[t] = 0;
 }
 
 void FlipMesh::undo(std::size_t state) noexcept {

@@ -21,7 +21,7 @@ class FlipMesh : public LinkedTetrahedra {
           faces_(allocator),
           links_(allocator),
           table_(allocator),
-          leaves_(allocator),
+          marks_(allocator),
           removed_(allocator),
           added_(allocator) {}
 
@@ -40,11 +40,11 @@ class FlipMesh : public LinkedTetrahedra {
     bool is_positive(const Corners& t) const noexcept;
     // Whether the tetrahedra of a list from element `first` on are positive.
     bool are_positive(const Buffer<Corners>& list, std::size_t first = 0) const noexcept;
-    // Lists the tetrahedra at a vertex that is not on the hull. For small numbers of them.
-    void collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) const;
+    // Lists the tetrahedra at a vertex that is not on the hull.
+    void collect_star(std::uint32_t v, Buffer<std::uint32_t>& star);
 
     // Replaces tetrahedra by others that fill the same place. Returns false, and changes nothing,
-    // if the others have different outer faces.
+    // if the others have different outer faces, or if two are on the same side of a face.
     bool replace(const Buffer<std::uint32_t>& removed, const Buffer<Corners>& added);
 
     // Adds a point that is inside of a tetrahedron, and divides this into four. Returns the point,
@@ -76,6 +76,7 @@ class FlipMesh : public LinkedTetrahedra {
         // The face behind an outer face, or the number of the new tetrahedron times 4, plus that of
         // the face.
         std::uint32_t code;
+        bool is_odd;  // the side of the tetrahedron; that of what is behind, for an outer face
         bool is_paired;
     };
 
@@ -98,7 +99,7 @@ class FlipMesh : public LinkedTetrahedra {
     Buffer<std::uint32_t> links_;  // for each face of a new tetrahedron, the earlier equal face
     std::size_t outer_faces_ = 0;
     Buffer<std::uint32_t> table_;    // a hash table of the faces: their numbers plus 1, or 0
-    Buffer<std::uint8_t> leaves_;    // marks the tetrahedra that leave
+    Buffer<std::uint8_t> marks_;     // of tetrahedra, 0 between calls
     Buffer<std::uint32_t> removed_;  // those of split()
     Buffer<Corners> added_;
 };

@@ -25,7 +25,7 @@ void PointRemoval::run(std::uint32_t first, const StopRequest& stop) {
 bool PointRemoval::remove(std::uint32_t v) {
     if (contract(v)) return true;
     // Removes one edge after the other, as long as that is possible.
-    constexpr std::size_t rings = 200;
+    constexpr std::size_t rings = 1000;
     flips_.set_budget(rings);
     const std::size_t state = mesh_.state();
     const Crossings none = Crossings::of_nothing(mesh_);
@@ -34,7 +34,7 @@ bool PointRemoval::remove(std::uint32_t v) {
         collect_star(v);
         for (const std::uint32_t neighbor : neighbors_) {
             int change = 0;
-            if (!flips_.remove_edge(v, neighbor, none, 0, 0, change)) continue;
+            if (!flips_.remove_edge(v, neighbor, none, 0, 1, change)) continue;
             if (contract(v)) return true;
             is_changed = true;
             break;

@@ -19,6 +19,10 @@ class PairTable {
     }
 
     std::size_t size() const noexcept { return pairs_.size(); }
+    void clear() {
+        pairs_.clear();
+        table_.clear(0);
+    }
     // The number of a pair, which is size() before the call if the pair is new.
     std::uint32_t add(std::uint32_t a, std::uint32_t b) {
         const Pair pair = {std::min(a, b), std::max(a, b)};

@@ -199,16 +199,18 @@ static void cancel(void) {
 
 /* The mesh of a domain keeps the points of the domain, and is Delaunay no more. */
 static void domain_mesh(void) {
-    static const double prism[6 * 3] = {8, 0, 0, -4, 7, 0, -4, -7, 0, 7, 4, 8, -7, 4, 8, 0, -8, 8};
-    static const int64_t triangles[8 * 3] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3,
-                                             1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
+    /* The four points around the middle are the corners of a flat tetrahedron. */
+    static const double solid[6 * 3] = {20, 0,   1,  -20, 0, 1,  0, 20, -1,
+                                        0,  -20, -1, 0,   0, 30, 0, 0,  -30};
+    static const int64_t triangles[8 * 3] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
+                                             2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
     mgdt_domain* d = NULL;
     mgdt_mesh* m = NULL;
     char message[256];
     int64_t value = -1;
     double* xyz;
     CHECK_EQUAL(mgdt_domain_create(&d), MGDT_OK);
-    CHECK_EQUAL(mgdt_domain_set_points(d, 6, prism), MGDT_OK);
+    CHECK_EQUAL(mgdt_domain_set_points(d, 6, solid), MGDT_OK);
     CHECK_EQUAL(mgdt_domain_set_facets(d, 8, NULL, triangles, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_domain_build(d, &m), MGDT_OK);
     CHECK_EQUAL(mgdt_mesh_get_option(m, MGDT_MESH_OPTION_POINTS, &value), MGDT_OK);
@@ -224,7 +226,7 @@ static void domain_mesh(void) {
     CHECK_EQUAL(mgdt_domain_get_error(d, sizeof message, message), MGDT_OK);
     CHECK(strstr(message, "has been improved") != NULL);
     xyz = doubles_of(m, MGDT_MESH_ARRAY_POINTS);
-    CHECK(memcmp(xyz, prism, sizeof prism) == 0);
+    CHECK(memcmp(xyz, solid, sizeof solid) == 0);
     free(xyz);
     mgdt_mesh_destroy(m);
     mgdt_domain_destroy(d);

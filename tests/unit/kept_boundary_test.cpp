@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+#include <string>
 
 #include "mesh_volumes.hpp"
 #include "random_complexes.hpp"
@@ -150,6 +152,47 @@ TEST(KeptBoundary, AddsFewPoints) {
                          {2, 4, 0},
                          {2, 6, 4}}),
               1u);
+}
+
+// A prism whose caps have their corners on circles, so that all triangulations of a cap are
+// Delaunay. `shift` turns the fan of one cap, and a wall between the caps has a third one.
+Surface prism_with_fans(std::uint32_t sides, std::uint32_t shift, bool has_wall, double tilt) {
+    Surface s("prism with fans");
+    const std::uint32_t levels = has_wall ? 3 : 2;
+    for (std::uint32_t level = 0; level < levels; ++level)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2 * 3.14159265358979323846 * i / sides, z = 0.5 * level;
+            s.point(std::cos(angle), std::sin(angle) - tilt * z, z + tilt * std::sin(angle));
+        }
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        s.facets.push_back({a, b, c});
+        s.markers.push_back(static_cast<std::int32_t>(s.facets.size()));
+    };
+    for (std::uint32_t level = 0; level < levels; ++level)
+        for (std::uint32_t i = 1; i + 1 < sides; ++i) {
+            const std::uint32_t from = level * shift, first = level * sides;
+            add(first + from % sides, first + (from + i) % sides, first + (from + i + 1) % sides);
+        }
+    for (std::uint32_t level = 0; level + 1 < levels; ++level)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const std::uint32_t a = level * sides + i, b = level * sides + (i + 1) % sides;
+            add(a, b, a + sides);
+            add(b, b + sides, a + sides);
+        }
+    return s;
+}
+
+TEST(KeptBoundary, TurnsFansInAPlane) {
+    for (const std::uint32_t sides : {32u, 101u, 240u})
+        for (const bool has_wall : {false, true})
+            for (const double tilt : {0.0, 0.25, 0.3}) {
+                SCOPED_TRACE(std::to_string(sides) + (has_wall ? ", wall, " : ", ") +
+                             std::to_string(tilt));
+                MeshedDomain domain;
+                give(domain, prism_with_fans(sides, sides / 3, has_wall, tilt));
+                EXPECT_TRUE(is_kept(domain));
+                EXPECT_LE(domain.mesh().steiner_parameters.size(), 8u);
+            }
 }
 
 // Details far below the grid to which other meshes are rounded.

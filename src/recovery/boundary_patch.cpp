@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "recovery/boundary_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/take_out_repeats.hpp"
+#include "predicates/predicates.hpp"
+#include "recovery/crossings.hpp"
+
+namespace mgdt {
+
+bool BoundaryPatch::find(std::uint32_t a, std::uint32_t b) {
+    if (first_.empty()) list_triangles_at_edges();
+    for (const std::uint32_t t : used_) state_[t] = 0;
+    state_.resize(triangles_.size() / 3, 0);
+    used_.clear();
+    corners_.clear();
+    const std::uint32_t edge = kept_.find(a, b);
+    return edge != no_index && first_[edge] != first_[edge + 1] &&
+           add(at_edge_[first_[edge]], no_index, no_index) && extend(false);
+}
+
+bool BoundaryPatch::widen() {
+    const std::size_t before = corners_.size();
+    return extend(true) && corners_.size() != before;
+}
+
+// Adds the neighbours of triangles, their neighbours, and so on.
+bool BoundaryPatch::extend(bool is_wide) {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Edge edge = edge_at(i);
+        const bool is_missing = !is_in_mesh(edge.from, edge.to);
+        if (edge.neighbor == no_index) {
+            if (is_missing) return false;
+            continue;
+        }
+        const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{edge.neighbor};
+        const bool is_taken = is_missing || state_[edge.neighbor] != 0 ||
+                              (is_wide && is_in_plane(v[0] ^ v[1] ^ v[2] ^ edge.from ^ edge.to));
+        if (is_taken && !add(edge.neighbor, edge.to, edge.from)) return false;
+    }
+    inner_.clear();
+    border_.clear();
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Edge edge = edge_at(i);
+        const bool is_inner = edge.neighbor != no_index && state_[edge.neighbor] != 0;
+        (is_inner ? inner_ : border_).add(edge.from, edge.to);
+    }
+    return measure();
+}
+
+// The edge that begins at a corner.
+BoundaryPatch::Edge BoundaryPatch::edge_at(std::size_t corner) const noexcept {
+    const std::uint32_t from = corners_[corner],
+                        to = corners_[corner % 3 == 2 ? corner - 2 : corner + 1],
+                        number = kept_.find(from, to);
+    const std::uint32_t* const both = at_edge_.begin() + first_[number];
+    if (first_[number + 1] - first_[number] != 2) return {from, to, no_index};
+    return {from, to, both[both[0] == used_[corner / 3] ? 1 : 0]};
+}
+
+bool BoundaryPatch::is_in_mesh(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t t = mesh_.tetrahedron_towards(a, b);
+    return t != no_tetrahedron && mesh_.tetrahedra[t].has(b);
+}
+
+// Whether the direction from the middle to a vertex is in the plane, or nearly so.
+bool BoundaryPatch::is_in_plane(std::uint32_t v) const noexcept {
+    constexpr double most_slope = 1e-6;
+    double height = 0, distance = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double d = mesh_.point(v)[k] - middle_[k];
+        height += d * normal_[k];
+        distance += d * d;
+    }
+    return std::fabs(height) <= most_slope * std::sqrt(distance);
+}
+
+void BoundaryPatch::list_triangles_at_edges() {
+    const auto for_each_edge = [&](const auto& use) {
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+            use(kept_.find(triangles_[i], triangles_[i % 3 == 2 ? i - 2 : i + 1]), i / 3);
+    };
+    first_.resize(kept_.size() + 1, 0);
+    at_edge_.resize(triangles_.size());
+    for_each_edge([&](std::uint32_t edge, std::uint32_t) { ++first_[edge]; });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& first : first_) first = sum += first;
+    for_each_edge([&](std::uint32_t edge, std::uint32_t t) { at_edge_[--first_[edge]] = t; });
+}
+
+// Adds a triangle in the orientation that has the edge from `from` to `to`, unless the patch has
+// it. Returns false if it has it in the other orientation.
+bool BoundaryPatch::add(std::uint32_t triangle, std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{triangle};
+    bool is_turned = false;
+    for (int k = 0; k < 3; ++k) is_turned = is_turned || (v[k] == to && v[(k + 1) % 3] == from);
+    const std::uint8_t state = is_turned ? 2 : 1;
+    if (state_[triangle] != 0) return state_[triangle] == state;
+    state_[triangle] = state;
+    used_.push_back(triangle);
+    for (const int k : {0, is_turned ? 2 : 1, is_turned ? 1 : 2}) corners_.push_back(v[k]);
+    return true;
+}
+
+// Finds the normal, the middle and the radius.
+bool BoundaryPatch::measure() {
+    vertices_.clear();
+    for (const std::uint32_t v : corners_) vertices_.push_back(v);
+    take_out_repeats(vertices_);
+    for (int k = 0; k < 3; ++k) normal_[k] = middle_[k] = 0;
+    for (std::size_t i = 0; i < corners_.size(); i += 3) {
+        const double* p[3];
+        for (std::size_t k = 0; k < 3; ++k) p[k] = mesh_.point(corners_[i + k]);
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            normal_[k] += (p[1][l] - p[0][l]) * (p[2][m] - p[0][m]) -
+                          (p[1][m] - p[0][m]) * (p[2][l] - p[0][l]);
+        }
+    }
+    const double length = std::hypot(normal_[0], normal_[1], normal_[2]);
+    if (!(length > 0) || !std::isfinite(length)) return false;
+    for (double& c : normal_) c /= length;
+    for (std::size_t i = 0; i < corners_.size(); i += 3)
+        if (!(area(mesh_.point(corners_[i]), mesh_.point(corners_[i + 1]),
+                   mesh_.point(corners_[i + 2])) > 0))
+            return false;
+    // The weights are no simple fractions, so that points avoid planes of a lattice.
+    double sum = 0, weight = 1;
+    for (const std::uint32_t v : vertices_) {
+        weight = weight < 1.1 ? weight * 1.0137 : 1;
+        sum += weight;
+        for (int k = 0; k < 3; ++k) middle_[k] += weight * mesh_.point(v)[k];
+    }
+    for (double& c : middle_) c /= sum;
+    boxes_.clear();
+    for (std::size_t i = 0; i < corners_.size(); i += 3) {
+        boxes_.push_back(BoundingBox(mesh_.point(corners_[i])));
+        for (std::size_t k = 1; k < 3; ++k) boxes_.back().include(mesh_.point(corners_[i + k]));
+    }
+    radius_ = 0;
+    for (const std::uint32_t v : vertices_) {
+        const double* const p = mesh_.point(v);
+        radius_ =
+            std::max(radius_, std::hypot(p[0] - middle_[0], p[1] - middle_[1], p[2] - middle_[2]));
+    }
+    return true;
+}
+
+// Twice the area of a triangle as seen from above; it is negative if the triangle faces down.
+double BoundaryPatch::area(const double* a, const double* b, const double* c) const noexcept {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        sum += normal_[k] * ((b[l] - a[l]) * (c[m] - a[m]) - (b[m] - a[m]) * (c[l] - a[l]));
+    }
+    return sum;
+}
+
+bool BoundaryPatch::is_met_by(std::uint32_t a, std::uint32_t b) const noexcept {
+    const double *const p = mesh_.point(a), *const q = mesh_.point(b);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        const BoundingBox& box = boxes_[i];
+        bool is_beside = false;
+        for (int k = 0; k < 3; ++k)
+            is_beside = is_beside || (p[k] < box.low[k] && q[k] < box.low[k]) ||
+                        (p[k] > box.high[k] && q[k] > box.high[k]);
+        const std::uint32_t* const v = corners_.begin() + 3 * i;
+        if (!is_beside && Crossings::of_triangle(mesh_, {v[0], v[1], v[2]}).of_edge(a, b) == 1)
+            return true;
+    }
+    if (!has_vertex(a) || !has_vertex(b)) return false;
+    double middle[3];
+    for (int k = 0; k < 3; ++k) middle[k] = 0.5 * (p[k] + q[k]);
+    const std::size_t i = triangle_at(middle);
+    if (i == corners_.size()) return false;
+    const double *const u = mesh_.point(corners_[i]), *const v = mesh_.point(corners_[i + 1]),
+                        *const w = mesh_.point(corners_[i + 2]);
+    return orientation(u, v, w, p) == 0 && orientation(u, v, w, q) == 0;
+}
+
+bool BoundaryPatch::is_outer_triangle(std::uint32_t a, std::uint32_t b,
+                                      std::uint32_t c) const noexcept {
+    const std::uint32_t edge = kept_.find(a, b);
+    return edge != no_index &&
+           std::any_of(at_edge_.begin() + first_[edge], at_edge_.begin() + first_[edge + 1],
+                       [&](std::uint32_t t) {
+                           const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{t};
+                           return (v[0] ^ v[1] ^ v[2] ^ a ^ b) == c && state_[t] == 0;
+                       });
+}
+
+// Where the corners of a triangle begin that is right above or below a place, up to rounding, or
+// the number of all corners.
+std::size_t BoundaryPatch::triangle_at(const double (&x)[3]) const noexcept {
+    std::size_t i = 0;
+    for (; i < corners_.size(); i += 3) {
+        const double* p[3];
+        for (std::size_t k = 0; k < 3; ++k) p[k] = mesh_.point(corners_[i + k]);
+        if (area(p[0], p[1], x) >= 0 && area(p[1], p[2], x) >= 0 && area(p[2], p[0], x) >= 0) break;
+    }
+    return i;
+}
+
+}  // namespace mgdt

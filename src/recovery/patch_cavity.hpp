@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A cavity around a patch of the boundary, of which two new points see all faces.
+#pragma once
+
+#include "recovery/boundary_patch.hpp"
+#include "recovery/edge_ring.hpp"
+
+namespace mgdt {
+
+// The cavity begins with all tetrahedra that the patch crosses. The border of the patch divides the
+// faces of the cavity in two sides. Wherever the new point of a side does not see a face of that
+// side, the tetrahedron behind the face is taken in too. Then the point of each side is joined to
+// the faces of the side and to the triangles of the patch.
+class PatchCavity {
+  public:
+    // The edges `kept` stay, and so do the vertices before `first_added`.
+    PatchCavity(FlipMesh& mesh, const PairTable& kept, std::uint32_t first_added,
+                Allocator& allocator)
+        : mesh_(mesh),
+          kept_(kept),
+          first_added_(first_added),
+          ring_(allocator),
+          tetrahedra_(allocator),
+          is_inside_(allocator),
+          side_of_(allocator),
+          entries_(allocator),
+          changes_(allocator),
+          faces_(allocator),
+          edges_(allocator),
+          vanishing_(allocator) {}
+
+    enum Side : std::uint8_t { neither, above, below };
+
+    // Makes the cavity empty.
+    void clear() noexcept;
+    void take_in(std::uint32_t t);
+    // Takes in the tetrahedra around an edge.
+    void take_in_ring(std::uint32_t a, std::uint32_t b);
+    // Takes in what the insides of the triangles of a patch cross, and divides the faces of the
+    // cavity. It has to contain what the edges of the patch cross. Returns false if the border of
+    // the patch does not divide the faces in two sides.
+    bool divide(const BoundaryPatch& patch);
+    // Takes in tetrahedra until a point sees all faces of a side. Returns false, with the cavity as
+    // it was, if the cavity would touch itself or the hull of the mesh, if it would become too
+    // large, or if something that stays would be neither at its faces nor in the patch.
+    bool grow(Side side, std::uint32_t point, const BoundaryPatch& patch);
+    // Adds the tetrahedra that join a point to the faces of a side to a list.
+    void append(Side side, std::uint32_t point, Buffer<FlipMesh::Corners>& list) const;
+
+    const Buffer<std::uint32_t>& tetrahedra() const noexcept { return tetrahedra_; }
+    // The vertices that are in no tetrahedron when the cavity has been filled.
+    const Buffer<std::uint32_t>& vanishing() const noexcept { return vanishing_; }
+
+  private:
+    struct Change {
+        std::uint32_t face;
+        Side before;
+    };
+
+    bool is_inside(std::uint32_t face) const noexcept {
+        return face != no_index && is_inside_[face / 4] != 0;
+    }
+    bool is_kept(std::uint32_t a, std::uint32_t b) const noexcept {
+        return kept_.find(a, b) != no_index;
+    }
+    bool take_in_border(const BoundaryPatch& patch);
+    void spread(std::uint32_t face, Side side, const BoundaryPatch& patch);
+    std::uint32_t next_face(std::uint32_t face, unsigned opposite,
+                            std::uint32_t border) const noexcept;
+    static std::uint64_t entry(std::uint32_t border, std::uint32_t t) noexcept {
+        return std::uint64_t{border} << 32 | t;
+    }
+    double rise(std::uint32_t face, const double (&normal)[3]) const noexcept;
+    bool loses_nothing(const BoundaryPatch& patch);
+    void set_side(std::uint32_t face, Side side);
+    bool take_in_behind(std::uint32_t face, Side side);
+
+    FlipMesh& mesh_;
+    const PairTable& kept_;
+    const std::uint32_t first_added_;
+    EdgeRing ring_;
+    Buffer<std::uint32_t> tetrahedra_;
+    Buffer<std::uint8_t> is_inside_;  // for each tetrahedron of the mesh
+    Buffer<Side> side_of_;            // of each face of the cavity; neither for other faces
+    // The tetrahedra at edges of the border into which the patch runs: the number of the edge and
+    // that of the tetrahedron.
+    Buffer<std::uint64_t> entries_;
+    Buffer<Change> changes_;  // of sides, while the cavity grows
+    Buffer<std::uint32_t> faces_;
+    PairTable edges_;
+    Buffer<std::uint32_t> vanishing_;
+};
+
+}  // namespace mgdt
