@@ -35,6 +35,10 @@ class BoundaryPatch {
     // Makes the patch wide. Returns false, as find() does, or if nothing is added.
     bool widen();
 
+    // Adds neighbours that have one of some edges and are in nearly the same plane. Returns false,
+    // as find() does, or if nothing is added.
+    bool add_neighbors(const PairTable& edges);
+
     // The numbers of the triangles, and the number of triangles that the boundary has.
     const Buffer<std::uint32_t>& triangles() const noexcept { return used_; }
     std::size_t all_triangles() const noexcept { return triangles_.size() / 3; }

@@ -199,45 +199,56 @@ bool PatchCavity::take_in_behind(std::uint32_t face, Side side) {
     return true;
 }
 
-// Whether what stays is at the faces of the cavity or in the patch.
 bool PatchCavity::loses_nothing(const BoundaryPatch& patch) {
     edges_.clear();
+    lost_.clear();
     for (const std::uint32_t i : tetrahedra_) {
         const FlipMesh::Tetrahedron& t = mesh_.tetrahedra[i];
         for (unsigned k = 0; k < 4; ++k) {
             const std::uint32_t v[3] = {t.v[(k + 1) % 4], t.v[(k + 2) % 4], t.v[(k + 3) % 4]};
-            if (side_of_[4 * i + k] != neither) {
+            const bool is_outer = side_of_[4 * i + k] != neither;
+            const bool is_lost = !is_outer && patch.is_outer_triangle(v[0], v[1], v[2]);
+            for (int j = 0; j < 3; ++j) {
                 // A vertex is listed as an edge from itself to itself.
-                for (int j = 0; j < 3; ++j) {
-                    edges_.add(v[j], v[j]);
-                    edges_.add(v[j], v[(j + 1) % 3]);
-                }
-            } else if (patch.is_outer_triangle(v[0], v[1], v[2])) {
-                return false;
+                if (is_outer) edges_.add(v[j], v[j]);
+                if (is_outer) edges_.add(v[j], v[(j + 1) % 3]);
+                if (is_lost) lost_.add(v[j], v[(j + 1) % 3]);
             }
         }
     }
     vanishing_.clear();
+    bool has_all = true;
     for (const std::uint32_t i : tetrahedra_) {
         const std::uint32_t* const v = mesh_.tetrahedra[i].v;
         for (unsigned k = 0; k < 4; ++k) {
             if (edges_.find(v[k], v[k]) == no_index && !patch.has_vertex(v[k])) {
-                if (v[k] < first_added_) return false;
+                has_all = has_all && v[k] >= first_added_;
                 vanishing_.push_back(v[k]);
             }
             for (unsigned l = 0; l < k; ++l)
                 if (is_kept(v[k], v[l]) && edges_.find(v[k], v[l]) == no_index &&
                     patch.inner_edges().find(v[k], v[l]) == no_index)
-                    return false;
+                    lost_.add(v[k], v[l]);
         }
     }
-    return true;
+    return has_all && lost_.size() == 0;
+}
+
+void PatchCavity::collect_vertices(Side side, Buffer<std::uint32_t>& vertices) const {
+    vertices.clear();
+    for (const std::uint32_t t : tetrahedra_)
+        for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face)
+            for (unsigned k = 1; k < 4 && side_of_[face] == side; ++k)
+                vertices.push_back(mesh_.tetrahedra[t].v[(face + k) % 4]);
+    take_out_repeats(vertices);
 }
 
 void PatchCavity::append(Side side, std::uint32_t point, Buffer<FlipMesh::Corners>& list) const {
     for (const std::uint32_t t : tetrahedra_)
         for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face) {
-            if (side_of_[face] != side) continue;
+            // A face that has the point is not joined to it.
+            if (side_of_[face] != side || (mesh_.of(face).has(point) && mesh_.apex(face) != point))
+                continue;
             FlipMesh::Corners corners;
             std::copy_n(mesh_.tetrahedra[t].v, 4, corners.v);
             corners.v[face % 4] = point;

@@ -27,6 +27,7 @@ class PatchCavity {
           changes_(allocator),
           faces_(allocator),
           edges_(allocator),
+          lost_(allocator),
           vanishing_(allocator) {}
 
     enum Side : std::uint8_t { neither, above, below };
@@ -44,6 +45,12 @@ class PatchCavity {
     // it was, if the cavity would touch itself or the hull of the mesh, if it would become too
     // large, or if something that stays would be neither at its faces nor in the patch.
     bool grow(Side side, std::uint32_t point, const BoundaryPatch& patch);
+    // Whether all that stays is at the faces of the cavity or in the patch.
+    bool loses_nothing(const BoundaryPatch& patch);
+    // The kept edges, and those of triangles, for which that was false when it was last asked.
+    const PairTable& lost() const noexcept { return lost_; }
+    // Collects the vertices of the faces of a side.
+    void collect_vertices(Side side, Buffer<std::uint32_t>& vertices) const;
     // Adds the tetrahedra that join a point to the faces of a side to a list.
     void append(Side side, std::uint32_t point, Buffer<FlipMesh::Corners>& list) const;
 
@@ -71,7 +78,6 @@ class PatchCavity {
         return std::uint64_t{border} << 32 | t;
     }
     double rise(std::uint32_t face, const double (&normal)[3]) const noexcept;
-    bool loses_nothing(const BoundaryPatch& patch);
     void set_side(std::uint32_t face, Side side);
     bool take_in_behind(std::uint32_t face, Side side);
 
@@ -87,7 +93,7 @@ class PatchCavity {
     Buffer<std::uint64_t> entries_;
     Buffer<Change> changes_;  // of sides, while the cavity grows
     Buffer<std::uint32_t> faces_;
-    PairTable edges_;
+    PairTable edges_, lost_;
     Buffer<std::uint32_t> vanishing_;
 };
 

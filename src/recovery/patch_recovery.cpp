@@ -6,18 +6,22 @@
 namespace mgdt {
 
 bool PatchRecovery::recover(std::uint32_t a, std::uint32_t b) {
-    if (!patch_.find(a, b)) return false;
-    for (const bool is_wide : {false, true}) {
-        if (is_wide && !patch_.widen()) return false;
-        const std::uint8_t failure = is_wide ? wide : narrow;
-        failed_.resize(patch_.all_triangles(), 0);
-        const Buffer<std::uint32_t>& of = patch_.triangles();
-        if (std::any_of(of.begin(), of.end(),
-                        [&](std::uint32_t t) { return (failed_[t] & failure) != 0; }))
-            continue;
+    return patch_.find(a, b) && (try_patch(narrow) || (patch_.widen() && try_patch(wide)));
+}
+
+// Recovers the patch, or else one with the neighbours that the cavity of the patch would lose.
+bool PatchRecovery::try_patch(Failure failure) {
+    constexpr int most_patches = 8;
+    failed_.resize(patch_.all_triangles(), 0);
+    const Buffer<std::uint32_t>& of = patch_.triangles();
+    if (std::any_of(of.begin(), of.end(),
+                    [&](std::uint32_t t) { return (failed_[t] & failure) != 0; }))
+        return false;
+    for (int i = 0; i < most_patches; ++i) {
         if (recover_patch()) return true;
-        for (const std::uint32_t t : of) failed_[t] |= failure;
+        if (failure == wide || !patch_.add_neighbors(cavity_.lost())) break;
     }
+    for (const std::uint32_t t : of) failed_[t] |= failure;
     return false;
 }
 
@@ -25,8 +29,8 @@ bool PatchRecovery::recover_patch() {
     const std::size_t state = mesh_.state();
     cavity_.clear();
     added_.clear();
-    const bool is_done = find_cavity() && add_point(PatchCavity::above) &&
-                         add_point(PatchCavity::below) &&
+    const bool is_done = find_cavity() && fill_side(PatchCavity::above) &&
+                         fill_side(PatchCavity::below) && cavity_.loses_nothing(patch_) &&
                          mesh_.replace(cavity_.tetrahedra(), added_);
     cavity_.clear();
     if (!is_done) {
@@ -58,15 +62,18 @@ bool PatchRecovery::find_cavity() {
     return cavity_.divide(patch_);
 }
 
-// Finds a place for the new point of a side, and lists its tetrahedra.
-bool PatchRecovery::add_point(PatchCavity::Side side) {
-    const std::size_t state = mesh_.state(), first = added_.size();
+// Lists tetrahedra that fill what is between a side and the patch: they join a vertex of the side
+// to both, or else a new point.
+bool PatchRecovery::fill_side(PatchCavity::Side side) {
+    const std::size_t first = added_.size();
+    cavity_.collect_vertices(side, vertices_);
+    for (const std::uint32_t v : vertices_)
+        if (join(side, v, first) && added_.size() > first) return true;
+    // The cavity grows where a face is not visible from the point.
     const double direction = side == PatchCavity::above ? 1 : -1;
+    const std::size_t state = mesh_.state();
     for (const double share : {0.6173, 0.2137, 0.0513, 0.0127, 1.3e-3, 1.1e-4, 1.7e-6, 1.9e-8}) {
-        double x[3];
-        for (int k = 0; k < 3; ++k)
-            x[k] = patch_.middle()[k] + direction * share * patch_.radius() * patch_.normal()[k];
-        const std::uint32_t z = mesh_.add_point(x);
+        const std::uint32_t z = add_point(direction * share);
         added_.resize(first);
         append_patch(side, z);
         if (mesh_.are_positive(added_, first) && cavity_.grow(side, z, patch_)) {
@@ -76,17 +83,41 @@ bool PatchRecovery::add_point(PatchCavity::Side side) {
         }
         mesh_.undo(state);
     }
+    // A place from which all faces are visible may be beside the middle.
+    const std::uint32_t z = add_point(direction * 0.0513);
+    join(side, z, first);
+    if (center_new_point(mesh_, z, added_, first, center_)) return true;
+    mesh_.undo(state);
     return false;
 }
 
-// Lists the tetrahedra that join a point to the triangles of the patch.
+// Adds a point that is above the middle of the patch by a share of its radius.
+std::uint32_t PatchRecovery::add_point(double share) {
+    double x[3];
+    for (int k = 0; k < 3; ++k)
+        x[k] = patch_.middle()[k] + share * patch_.radius() * patch_.normal()[k];
+    return mesh_.add_point(x);
+}
+
+// Lists the tetrahedra that join a point to a side and to the patch, from element `first` on.
+// Returns whether they are positive.
+bool PatchRecovery::join(PatchCavity::Side side, std::uint32_t point, std::size_t first) {
+    added_.resize(first);
+    append_patch(side, point);
+    cavity_.append(side, point, added_);
+    return mesh_.are_positive(added_, first);
+}
+
+// Lists the tetrahedra that join a point to the triangles of the patch which do not have it.
 void PatchRecovery::append_patch(PatchCavity::Side side, std::uint32_t point) {
     const Buffer<std::uint32_t>& v = patch_.corners();
-    for (std::size_t i = 0; i < v.size(); i += 3)
+    for (std::size_t i = 0; i < v.size(); i += 3) {
+        if (v[i] == point || v[i + 1] == point || v[i + 2] == point) continue;
         if (side == PatchCavity::above)
             added_.push_back({{v[i], v[i + 1], v[i + 2], point}});
         else
             added_.push_back({{v[i + 2], v[i + 1], v[i], point}});
+    }
 }
 
 }  // namespace mgdt

@@ -21,6 +21,7 @@ class PatchRecovery {
           patch_(mesh, kept, triangles, allocator),
           walk_(mesh, allocator),
           cavity_(mesh, kept, first_added, allocator),
+          vertices_(allocator),
           added_(allocator),
           center_(allocator),
           failed_(allocator) {}
@@ -35,15 +36,19 @@ class PatchRecovery {
   private:
     enum Failure : std::uint8_t { narrow = 1, wide = 2 };  // of narrow and of wide patches
 
+    bool try_patch(Failure failure);
     bool recover_patch();
     bool find_cavity();
-    bool add_point(PatchCavity::Side side);
+    bool fill_side(PatchCavity::Side side);
+    bool join(PatchCavity::Side side, std::uint32_t point, std::size_t first);
+    std::uint32_t add_point(double share);
     void append_patch(PatchCavity::Side side, std::uint32_t point);
 
     FlipMesh& mesh_;
     BoundaryPatch patch_;
     CrossingWalk walk_;
     PatchCavity cavity_;
+    Buffer<std::uint32_t> vertices_;
     Buffer<FlipMesh::Corners> added_;
     PlaneCenter center_;
     Buffer<std::uint8_t> failed_;  // of each triangle, flags of Failure

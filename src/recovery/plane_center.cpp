@@ -63,6 +63,29 @@ bool PlaneCenter::find_step(const double (&x)[3], double (&step)[3]) const {
     return true;
 }
 
+bool PlaneCenter::enter(double (&x)[3]) const {
+    constexpr int most_steps = 200;
+    // A step goes on beyond the plane by half of its length, and at least by a share of the largest
+    // distance from a plane, since x may be on the plane.
+    constexpr double length = 1.5, least_share = 1e-3;
+    double largest = 0;
+    for (const Plane& plane : planes_) largest = std::max(largest, std::fabs(distance(plane, x)));
+    for (int i = 0; i < most_steps; ++i) {
+        double least = 0;
+        const Plane* worst = nullptr;
+        for (const Plane& plane : planes_) {
+            const double d = distance(plane, x);
+            if (d > least) continue;
+            least = d;
+            worst = &plane;
+        }
+        if (worst == nullptr) return true;
+        const double step = std::max(-length * least, least_share * largest);
+        for (int k = 0; k < 3; ++k) x[k] += step * worst->normal[k];
+    }
+    return false;
+}
+
 void PlaneCenter::approach(double (&x)[3]) const {
     constexpr int most_steps = 40, most_halvings = 10;
     if (!is_inside(x)) return;
@@ -80,7 +103,7 @@ void PlaneCenter::approach(double (&x)[3]) const {
     }
 }
 
-void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+bool center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
                       std::size_t first, PlaneCenter& center) {
     center.clear();
     for (std::size_t i = first; i < tetrahedra.size(); ++i) {
@@ -94,9 +117,13 @@ void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Co
     double x[3], before[3];
     std::copy_n(mesh.point(v), 3, before);
     std::copy_n(before, 3, x);
-    center.approach(x);
-    mesh.move_point(v, x);
-    if (!mesh.are_positive(tetrahedra, first)) mesh.move_point(v, before);
+    if (center.enter(x)) {
+        center.approach(x);
+        mesh.move_point(v, x);
+        if (mesh.are_positive(tetrahedra, first)) return true;
+    }
+    mesh.move_point(v, before);
+    return mesh.are_positive(tetrahedra, first);
 }
 
 }  // namespace mgdt

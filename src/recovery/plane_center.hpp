@@ -15,6 +15,10 @@ class PlaneCenter {
     void clear() noexcept { planes_.clear(); }
     // Adds the half-space of the places x for which the orientation of a, b, c and x is positive.
     void add(const double* a, const double* b, const double* c);
+    // Moves x across the plane that is farthest on its wrong side, again and again, until x is
+    // inside of all half-spaces. Returns false if that takes too many steps. (Motzkin and
+    // Schoenberg, Canadian Journal of Mathematics 6, 1954.)
+    bool enter(double (&x)[3]) const;
     // Moves x towards the centre, by Newton's method. The result is inside of all half-spaces, up
     // to rounding, if x is.
     void approach(double (&x)[3]) const;
@@ -32,8 +36,9 @@ class PlaneCenter {
 };
 
 // Moves a new point, which tetrahedra from element `first` of a list have, towards the centre of
-// the half-spaces in which they are positive, if they stay positive.
-void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+// the half-spaces in which they are positive. If they are not, the point moves into all half-spaces
+// first. Returns whether they are positive then; otherwise the point has not moved.
+bool center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
                       std::size_t first, PlaneCenter& center);
 
 }  // namespace mgdt
