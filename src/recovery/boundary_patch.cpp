@@ -28,18 +28,21 @@ bool BoundaryPatch::widen() {
 
 bool BoundaryPatch::add_neighbors(const PairTable& edges) {
     const std::size_t before = corners_.size();
-    for (std::size_t i = 0; i < before; ++i) {
-        const Edge edge = edge_at(i);
-        if (edge.neighbor == no_index || state_[edge.neighbor] != 0) continue;
-        const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{edge.neighbor};
-        const bool has_one = edges.find(v[0], v[1]) != no_index ||
-                             edges.find(v[1], v[2]) != no_index ||
-                             edges.find(v[2], v[0]) != no_index;
-        if (has_one && is_in_plane(v[0] ^ v[1] ^ v[2] ^ edge.from ^ edge.to) &&
-            !add(edge.neighbor, edge.to, edge.from))
-            return false;
+    for (const bool takes_all : {false, true}) {
+        for (std::size_t i = 0; i < before; ++i) {
+            const Edge edge = edge_at(i);
+            if (edge.neighbor == no_index || state_[edge.neighbor] != 0) continue;
+            const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{edge.neighbor};
+            const bool is_taken = takes_all || edges.find(v[0], v[1]) != no_index ||
+                                  edges.find(v[1], v[2]) != no_index ||
+                                  edges.find(v[2], v[0]) != no_index;
+            if (is_taken && is_in_plane(v[0] ^ v[1] ^ v[2] ^ edge.from ^ edge.to) &&
+                !add(edge.neighbor, edge.to, edge.from))
+                return false;
+        }
+        if (corners_.size() != before) return extend(false);
     }
-    return corners_.size() != before && extend(false);
+    return false;
 }
 
 // Adds the neighbours of triangles, their neighbours, and so on.

@@ -35,8 +35,9 @@ class BoundaryPatch {
     // Makes the patch wide. Returns false, as find() does, or if nothing is added.
     bool widen();
 
-    // Adds neighbours that have one of some edges and are in nearly the same plane. Returns false,
-    // as find() does, or if nothing is added.
+    // Adds neighbours that have one of some edges and are in nearly the same plane, or all that are
+    // in it if there are none with such an edge. Returns false, as find() does, or if nothing is
+    // added.
     bool add_neighbors(const PairTable& edges);
 
     // The numbers of the triangles, and the number of triangles that the boundary has.

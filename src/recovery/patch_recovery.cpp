@@ -76,7 +76,7 @@ bool PatchRecovery::fill_side(PatchCavity::Side side) {
         const std::uint32_t z = add_point(direction * share);
         added_.resize(first);
         append_patch(side, z);
-        if (mesh_.are_positive(added_, first) && cavity_.grow(side, z, patch_)) {
+        if (enter_half_spaces(mesh_, z, added_, first, center_) && cavity_.grow(side, z, patch_)) {
             cavity_.append(side, z, added_);
             center_new_point(mesh_, z, added_, first, center_);
             return true;
@@ -86,7 +86,10 @@ bool PatchRecovery::fill_side(PatchCavity::Side side) {
     // A place from which all faces are visible may be beside the middle.
     const std::uint32_t z = add_point(direction * 0.0513);
     join(side, z, first);
-    if (center_new_point(mesh_, z, added_, first, center_)) return true;
+    if (enter_half_spaces(mesh_, z, added_, first, center_)) {
+        center_new_point(mesh_, z, added_, first, center_);
+        return true;
+    }
     mesh_.undo(state);
     return false;
 }

@@ -103,8 +103,12 @@ void PlaneCenter::approach(double (&x)[3]) const {
     }
 }
 
-bool center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
-                      std::size_t first, PlaneCenter& center) {
+namespace {
+
+// Lists the half-spaces in which tetrahedra of a vertex are positive.
+void add_half_spaces(const FlipMesh& mesh, std::uint32_t v,
+                     const Buffer<FlipMesh::Corners>& tetrahedra, std::size_t first,
+                     PlaneCenter& center) {
     center.clear();
     for (std::size_t i = first; i < tetrahedra.size(); ++i) {
         const std::uint32_t* const t = tetrahedra[i].v;
@@ -114,16 +118,36 @@ bool center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Co
         const unsigned char* const f = outer_face[at];
         center.add(mesh.point(t[f[0]]), mesh.point(t[f[1]]), mesh.point(t[f[2]]));
     }
-    double x[3], before[3];
+}
+
+bool move(FlipMesh& mesh, std::uint32_t v, const double (&x)[3],
+          const Buffer<FlipMesh::Corners>& tetrahedra, std::size_t first) {
+    double before[3];
     std::copy_n(mesh.point(v), 3, before);
-    std::copy_n(before, 3, x);
-    if (center.enter(x)) {
-        center.approach(x);
-        mesh.move_point(v, x);
-        if (mesh.are_positive(tetrahedra, first)) return true;
-    }
+    mesh.move_point(v, x);
+    if (mesh.are_positive(tetrahedra, first)) return true;
     mesh.move_point(v, before);
-    return mesh.are_positive(tetrahedra, first);
+    return false;
+}
+
+}  // namespace
+
+bool enter_half_spaces(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+                       std::size_t first, PlaneCenter& center) {
+    if (mesh.are_positive(tetrahedra, first)) return true;
+    add_half_spaces(mesh, v, tetrahedra, first, center);
+    double x[3];
+    std::copy_n(mesh.point(v), 3, x);
+    return center.enter(x) && move(mesh, v, x, tetrahedra, first);
+}
+
+void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+                      std::size_t first, PlaneCenter& center) {
+    add_half_spaces(mesh, v, tetrahedra, first, center);
+    double x[3];
+    std::copy_n(mesh.point(v), 3, x);
+    center.approach(x);
+    move(mesh, v, x, tetrahedra, first);
 }
 
 }  // namespace mgdt

@@ -35,10 +35,14 @@ class PlaneCenter {
     Buffer<Plane> planes_;
 };
 
-// Moves a new point, which tetrahedra from element `first` of a list have, towards the centre of
-// the half-spaces in which they are positive. If they are not, the point moves into all half-spaces
-// first. Returns whether they are positive then; otherwise the point has not moved.
-bool center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+// Moves a new point, which tetrahedra from element `first` of a list have, into the half-spaces in
+// which they are positive. Returns false, and does not move it, if it does not find a place.
+bool enter_half_spaces(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
+                       std::size_t first, PlaneCenter& center);
+
+// Moves a new point, for which such tetrahedra are positive, towards the centre of the half-spaces,
+// if they stay positive.
+void center_new_point(FlipMesh& mesh, std::uint32_t v, const Buffer<FlipMesh::Corners>& tetrahedra,
                       std::size_t first, PlaneCenter& center);
 
 }  // namespace mgdt

@@ -41,7 +41,9 @@ TEST_F(Octahedron, DrawsAPointToItsMiddle) {
     constexpr double from[][3] = {{5.2, 0.1, -0.3}, {9, 1, 0.5}, {5.5, -40, 3}, {5, 0, 1}};
     for (const double(&x)[3] : from) {
         mesh.move_point(v, x);
-        ASSERT_TRUE(center_new_point(mesh, v, faces, 0, center));
+        ASSERT_TRUE(enter_half_spaces(mesh, v, faces, 0, center));
+        EXPECT_TRUE(mesh.are_positive(faces));
+        center_new_point(mesh, v, faces, 0, center);
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(mesh.point(v)[k], k == 0 ? 5 : 0, 1e-6);
     }
 }
@@ -49,7 +51,7 @@ TEST_F(Octahedron, DrawsAPointToItsMiddle) {
 TEST_F(Octahedron, IsNotEnteredIfItIsTurnedInsideOut) {
     const std::uint32_t v = add_point(5.2, 0.1, -0.3);
     for (FlipMesh::Corners& t : faces) std::swap(t.v[0], t.v[1]);
-    EXPECT_FALSE(center_new_point(mesh, v, faces, 0, center));
+    EXPECT_FALSE(enter_half_spaces(mesh, v, faces, 0, center));
     EXPECT_EQ(mesh.point(v)[0], 5.2);
 }
 
