@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "predicates/predicates.hpp"
+
 namespace mgdt {
 
 ConstrainedMesh::ConstrainedMesh(const Triangulation& triangulation, const Buffer<double>& xyz,
@@ -30,6 +32,22 @@ ConstrainedMesh::ConstrainedMesh(const Triangulation& triangulation, const Buffe
             hints[to.v[i]] = number[t];
         }
     }
+}
+
+bool ConstrainedMesh::is_delaunay(const Buffer<std::uint32_t>& regions,
+                                  std::uint32_t outside) const {
+    for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
+        const Tetrahedron& tet = tetrahedra[t];
+        if (tet.is_dead() || regions[t] == outside) continue;
+        for (unsigned k = 0; k < 4; ++k) {
+            // Each face is seen from the lesser one of its two tetrahedra.
+            if (tet.facets[k] != no_index || tet.n[k] == no_index || tet.n[k] / 4 < t) continue;
+            if (side_of_sphere_perturbed(point(tet.v[0]), point(tet.v[1]), point(tet.v[2]),
+                                         point(tet.v[3]), point(apex(tet.n[k]))) > 0)
+                return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace mgdt

@@ -20,6 +20,11 @@ struct ConstrainedMesh : LinkedTetrahedra {
         return points.begin() + 3 * std::size_t{v};
     }
 
+    // Whether all faces that are parts of no facet are locally Delaunay, among tetrahedra for which
+    // `regions` does not have `outside`. Then the tetrahedra are constrained Delaunay (Shewchuk,
+    // Constrained Delaunay tetrahedralizations, 2002).
+    bool is_delaunay(const Buffer<std::uint32_t>& regions, std::uint32_t outside) const;
+
     const Buffer<double>& points;
 };
 

@@ -399,7 +399,7 @@ Domain::Stuck Domain::keep(const Complex& complex, StageProgress& progress, Soli
         const std::uint32_t* const ends = facets.segments.begin() + 2 * std::size_t{s};
         segments.push_back({{ends[0], ends[1]}, s, 0, 1});
     }
-    mesh.is_delaunay = false;
+    mesh.is_delaunay = kept.mesh.is_delaunay(found.of_tetrahedron, Regions::outside);
     mesh.keeps_facets = true;
     finish({input_, complex, facets, grid, kept.mesh, segments, added, found}, mesh);
     return std::nullopt;

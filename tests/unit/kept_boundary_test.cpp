@@ -195,6 +195,29 @@ TEST(KeptBoundary, TurnsFansInAPlane) {
             }
 }
 
+// The four points around the middle of a double pyramid are on a circle.
+TEST(KeptBoundary, SaysWhetherTheMeshIsDelaunay) {
+    for (const double height : {0.5, 1.5}) {
+        Surface s("double pyramid");
+        for (const double sign : {1.0, -1.0}) {
+            s.point(sign, 0, 0);
+            s.point(0, sign, 0);
+            s.point(0, 0, sign * height);
+        }
+        for (const std::uint32_t x : {0u, 3u})
+            for (const std::uint32_t y : {1u, 4u})
+                for (const std::uint32_t z : {2u, 5u}) s.facet({x, y, z});
+        MeshedDomain domain;
+        give(domain, s);
+        ASSERT_TRUE(is_kept(domain));
+        EXPECT_TRUE(domain.mesh().is_delaunay);
+    }
+    MeshedDomain turned;
+    give(turned, prism_with_fans(32, 10, false, 0.3));
+    ASSERT_TRUE(is_kept(turned));
+    EXPECT_FALSE(turned.mesh().is_delaunay);
+}
+
 // Details far below the grid to which other meshes are rounded.
 TEST(KeptBoundary, MeshesThinSheets) {
     for (const double thickness : {1e-7, 1e-13, 1e-30}) {
