@@ -47,9 +47,11 @@ bool BoundaryPatch::add_neighbors(const PairTable& edges) {
 
 // Adds the neighbours of triangles, their neighbours, and so on.
 bool BoundaryPatch::extend(bool is_wide) {
+    constexpr std::size_t most_wide = 6000;  // triangles
     for (std::size_t i = 0; i < corners_.size(); ++i) {
+        if (is_wide && used_.size() > most_wide) return false;
         const Edge edge = edge_at(i);
-        const bool is_missing = !is_in_mesh(edge.from, edge.to);
+        const bool is_missing = !is_edge(edge.from, edge.to);
         if (edge.neighbor == no_index) {
             if (is_missing) return false;
             continue;
@@ -79,7 +81,13 @@ BoundaryPatch::Edge BoundaryPatch::edge_at(std::size_t corner) const noexcept {
     return {from, to, both[both[0] == used_[corner / 3] ? 1 : 0]};
 }
 
-bool BoundaryPatch::is_in_mesh(std::uint32_t a, std::uint32_t b) {
+bool BoundaryPatch::is_in_mesh() {
+    for (std::uint32_t i = 0; i < inner_.size(); ++i)
+        if (const auto [a, b] = inner_.pair(i); !is_edge(a, b)) return false;
+    return true;
+}
+
+bool BoundaryPatch::is_edge(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t t = mesh_.tetrahedron_towards(a, b);
     return t != no_tetrahedron && mesh_.tetrahedra[t].has(b);
 }
@@ -87,13 +95,11 @@ bool BoundaryPatch::is_in_mesh(std::uint32_t a, std::uint32_t b) {
 // Whether the direction from the middle to a vertex is in the plane, or nearly so.
 bool BoundaryPatch::is_in_plane(std::uint32_t v) const noexcept {
     constexpr double most_slope = 1e-6;
-    double height = 0, distance = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double d = mesh_.point(v)[k] - middle_[k];
-        height += d * normal_[k];
-        distance += d * d;
-    }
-    return std::fabs(height) <= most_slope * std::sqrt(distance);
+    const double* const p = mesh_.point(v);
+    double height = 0;
+    for (int k = 0; k < 3; ++k) height += (p[k] - middle_[k]) * normal_[k];
+    return std::fabs(height) <=
+           most_slope * std::hypot(p[0] - middle_[0], p[1] - middle_[1], p[2] - middle_[2]);
 }
 
 void BoundaryPatch::list_triangles_at_edges() {
@@ -146,13 +152,14 @@ bool BoundaryPatch::measure() {
                    mesh_.point(corners_[i + 2])) > 0))
             return false;
     // The weights are no simple fractions, so that points avoid planes of a lattice.
+    const double* const start = mesh_.point(vertices_[0]);
     double sum = 0, weight = 1;
     for (const std::uint32_t v : vertices_) {
         weight = weight < 1.1 ? weight * 1.0137 : 1;
         sum += weight;
-        for (int k = 0; k < 3; ++k) middle_[k] += weight * mesh_.point(v)[k];
+        for (int k = 0; k < 3; ++k) middle_[k] += weight * (mesh_.point(v)[k] - start[k]);
     }
-    for (double& c : middle_) c /= sum;
+    for (int k = 0; k < 3; ++k) middle_[k] = start[k] + middle_[k] / sum;
     boxes_.clear();
     for (std::size_t i = 0; i < corners_.size(); i += 3) {
         boxes_.push_back(BoundingBox(mesh_.point(corners_[i])));
@@ -164,7 +171,7 @@ bool BoundaryPatch::measure() {
         radius_ =
             std::max(radius_, std::hypot(p[0] - middle_[0], p[1] - middle_[1], p[2] - middle_[2]));
     }
-    return true;
+    return std::isfinite(radius_);
 }
 
 // Twice the area of a triangle as seen from above; it is negative if the triangle faces down.

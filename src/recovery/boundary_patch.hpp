@@ -32,12 +32,12 @@ class BoundaryPatch {
     // Finds the patch of an edge. Returns false if a missing edge has not two triangles, if the
     // triangles have no common orientation, or if they do not all face a common direction.
     bool find(std::uint32_t a, std::uint32_t b);
-    // Makes the patch wide. Returns false, as find() does, or if nothing is added.
+    // Makes the patch wide. Returns false, as find() does, or if nothing is added, or too much.
     bool widen();
 
-    // Adds neighbours that have one of some edges and are in nearly the same plane, or all that are
-    // in it if there are none with such an edge. Returns false, as find() does, or if nothing is
-    // added.
+    // Adds those neighbours in nearly the same plane that have one of some edges. If there are
+    // none, adds all neighbours in the plane. Returns false, as find() does, or if nothing is
+    // added; then the patch has to be found anew.
     bool add_neighbors(const PairTable& edges);
 
     // The numbers of the triangles, and the number of triangles that the boundary has.
@@ -57,12 +57,15 @@ class BoundaryPatch {
     // Whether three vertices are the corners of a triangle of the boundary that is not in the
     // patch.
     bool is_outer_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const noexcept;
+    // Whether all edges of the patch are in the mesh.
+    bool is_in_mesh();
     // The direction in which above is. Its length is 1.
     const double (&normal() const noexcept)[3] { return normal_; }
     const double (&middle() const noexcept)[3] { return middle_; }
     // The largest distance of a vertex from the middle.
     double radius() const noexcept { return radius_; }
-    // Whether an edge of the mesh crosses the inside of a triangle, or runs along it.
+    // Whether an edge of the mesh crosses the inside of a triangle; or runs along it, up to
+    // rounding, between two vertices of the patch.
     bool is_met_by(std::uint32_t a, std::uint32_t b) const noexcept;
 
   private:
@@ -76,7 +79,7 @@ class BoundaryPatch {
     Edge edge_at(std::size_t corner) const noexcept;
     bool extend(bool is_wide);
     bool is_in_plane(std::uint32_t v) const noexcept;
-    bool is_in_mesh(std::uint32_t a, std::uint32_t b);
+    bool is_edge(std::uint32_t a, std::uint32_t b);
     bool add(std::uint32_t triangle, std::uint32_t from, std::uint32_t to);
     bool measure();
     std::size_t triangle_at(const double (&x)[3]) const noexcept;

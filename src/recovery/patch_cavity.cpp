@@ -80,8 +80,8 @@ bool PatchCavity::divide(const BoundaryPatch& patch) {
             }
             heights[side_of_[face]] += rise(face, patch.normal());
         }
-    if (sides != 2 || !(heights[above] * heights[below] < 0)) return false;
-    if (heights[above] < 0)
+    if (sides != 2 || (heights[above] > 0) == (heights[below] > 0)) return false;
+    if (!(heights[above] > 0))
         for (const std::uint32_t t : tetrahedra_)
             for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face)
                 if (side_of_[face] != neither)
@@ -241,19 +241,6 @@ void PatchCavity::collect_vertices(Side side, Buffer<std::uint32_t>& vertices) c
             for (unsigned k = 1; k < 4 && side_of_[face] == side; ++k)
                 vertices.push_back(mesh_.tetrahedra[t].v[(face + k) % 4]);
     take_out_repeats(vertices);
-}
-
-void PatchCavity::append(Side side, std::uint32_t point, Buffer<FlipMesh::Corners>& list) const {
-    for (const std::uint32_t t : tetrahedra_)
-        for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face) {
-            // A face that has the point is not joined to it.
-            if (side_of_[face] != side || (mesh_.of(face).has(point) && mesh_.apex(face) != point))
-                continue;
-            FlipMesh::Corners corners;
-            std::copy_n(mesh_.tetrahedra[t].v, 4, corners.v);
-            corners.v[face % 4] = point;
-            list.push_back(corners);
-        }
 }
 
 }  // namespace mgdt

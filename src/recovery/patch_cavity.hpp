@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A cavity around a patch of the boundary, of which two new points see all faces.
+// A cavity around a patch of the boundary, of which two points see all faces.
 #pragma once
+
+#include <algorithm>
 
 #include "recovery/boundary_patch.hpp"
 #include "recovery/edge_ring.hpp"
@@ -8,7 +10,7 @@
 namespace mgdt {
 
 // The cavity begins with all tetrahedra that the patch crosses. The border of the patch divides the
-// faces of the cavity in two sides. Wherever the new point of a side does not see a face of that
+// faces of the cavity in two sides. Wherever a new point of a side does not see a face of that
 // side, the tetrahedron behind the face is taken in too. Then the point of each side is joined to
 // the faces of the side and to the triangles of the patch.
 class PatchCavity {
@@ -42,17 +44,22 @@ class PatchCavity {
     // the patch does not divide the faces in two sides.
     bool divide(const BoundaryPatch& patch);
     // Takes in tetrahedra until a point sees all faces of a side. Returns false, with the cavity as
-    // it was, if the cavity would touch itself or the hull of the mesh, if it would become too
-    // large, or if something that stays would be neither at its faces nor in the patch.
+    // it was, if it would reach a face of the other side or the hull of the mesh, if it would
+    // become too large, or if it would lose something.
     bool grow(Side side, std::uint32_t point, const BoundaryPatch& patch);
-    // Whether all that stays is at the faces of the cavity or in the patch.
+    // Whether all that stays is at the faces of the cavity or in the patch. Finds what is lost()
+    // and vanishing() otherwise.
     bool loses_nothing(const BoundaryPatch& patch);
-    // The kept edges, and those of triangles, for which that was false when it was last asked.
+    // The edges that stay but were neither at the faces nor in the patch, and those of such
+    // triangles.
     const PairTable& lost() const noexcept { return lost_; }
+    void forget_lost() { lost_.clear(); }
     // Collects the vertices of the faces of a side.
     void collect_vertices(Side side, Buffer<std::uint32_t>& vertices) const;
-    // Adds the tetrahedra that join a point to the faces of a side to a list.
-    void append(Side side, std::uint32_t point, Buffer<FlipMesh::Corners>& list) const;
+    // Calls use(t) for the tetrahedra that join a point to the faces of a side which do not have
+    // it, until one of these calls returns false. Returns whether none does.
+    template <class Use>
+    bool for_each_on_side(Side side, std::uint32_t point, const Use& use) const;
 
     const Buffer<std::uint32_t>& tetrahedra() const noexcept { return tetrahedra_; }
     // The vertices that are in no tetrahedron when the cavity has been filled.
@@ -96,5 +103,20 @@ class PatchCavity {
     PairTable edges_, lost_;
     Buffer<std::uint32_t> vanishing_;
 };
+
+template <class Use>
+bool PatchCavity::for_each_on_side(Side side, std::uint32_t point, const Use& use) const {
+    for (const std::uint32_t t : tetrahedra_)
+        for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face) {
+            if (side_of_[face] != side) continue;
+            FlipMesh::Corners corners;
+            std::copy_n(mesh_.tetrahedra[t].v, 4, corners.v);
+            corners.v[face % 4] = no_index;
+            if (std::find(corners.v, corners.v + 4, point) != corners.v + 4) continue;
+            corners.v[face % 4] = point;
+            if (!use(corners)) return false;
+        }
+    return true;
+}
 
 }  // namespace mgdt

@@ -10,7 +10,7 @@ namespace mgdt {
 
 void PlaneCenter::add(const double* a, const double* b, const double* c) {
     Plane plane;
-    double e[2][3], size = 0;
+    double e[2][3];
     for (int k = 0; k < 3; ++k) {
         e[0][k] = b[k] - a[k];
         e[1][k] = c[k] - a[k];
@@ -19,9 +19,9 @@ void PlaneCenter::add(const double* a, const double* b, const double* c) {
     for (int k = 0; k < 3; ++k) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
         plane.normal[k] = e[0][l] * e[1][m] - e[0][m] * e[1][l];
-        size += plane.normal[k] * plane.normal[k];
     }
-    for (double& n : plane.normal) n /= std::sqrt(size);
+    const double size = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
+    for (double& n : plane.normal) n /= size;
     planes_.push_back(plane);
 }
 
@@ -122,6 +122,7 @@ void add_half_spaces(const FlipMesh& mesh, std::uint32_t v,
 
 bool move(FlipMesh& mesh, std::uint32_t v, const double (&x)[3],
           const Buffer<FlipMesh::Corners>& tetrahedra, std::size_t first) {
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2])) return false;
     double before[3];
     std::copy_n(mesh.point(v), 3, before);
     mesh.move_point(v, x);

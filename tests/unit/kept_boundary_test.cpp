@@ -195,6 +195,18 @@ TEST(KeptBoundary, TurnsFansInAPlane) {
             }
 }
 
+TEST(KeptBoundary, TurnsFansOfAllSizes) {
+    for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
+        SCOPED_TRACE(scale);
+        Surface s = prism_with_fans(60, 20, true, 0.3);
+        for (double& x : s.points) x *= scale;
+        MeshedDomain domain;
+        give(domain, s);
+        EXPECT_TRUE(is_kept(domain));
+        EXPECT_LE(domain.mesh().steiner_parameters.size(), 4u);
+    }
+}
+
 // The four points around the middle of a double pyramid are on a circle.
 TEST(KeptBoundary, SaysWhetherTheMeshIsDelaunay) {
     for (const double height : {0.5, 1.5}) {
