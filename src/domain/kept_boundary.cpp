@@ -56,7 +56,8 @@ void write_points(const Buffer<double>& from, const CanonicalOrder& order, Buffe
     for (std::uint32_t corner = 0; corner < box_corners; ++corner)
         for (unsigned k = 0; k < 3; ++k) {
             constexpr double infinity = std::numeric_limits<double>::infinity();
-            // Large coordinates may hide the margin; the box is around the points nevertheless.
+            // Adding the margin to a much larger coordinate may change nothing. The box ends at the
+            // next double then, so that all points are inside of it.
             const double x =
                 (corner >> k & 1) != 0
                     ? std::max(box.high[k] + margin * size, std::nextafter(box.high[k], infinity))

@@ -41,6 +41,13 @@ struct BoundingBox {
             if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
         return true;
     }
+    // Whether points are all beyond one side of the box, so that nothing between them meets it.
+    template <class... Point>
+    bool has_beside(const Point*... p) const noexcept {
+        for (int k = 0; k < 3; ++k)
+            if (((p[k] < low[k]) && ...) || ((p[k] > high[k]) && ...)) return true;
+        return false;
+    }
     // The axis of the longest side. Halves are compared, because a side may be longer than doubles.
     int longest_axis() const {
         const auto half = [this](int k) { return high[k] / 2 - low[k] / 2; };

@@ -103,20 +103,20 @@ bool BoundaryPatch::is_in_plane(std::uint32_t v) const noexcept {
 }
 
 void BoundaryPatch::list_triangles_at_edges() {
-    const auto for_each_edge = [&](const auto& use) {
+    const auto for_each_side = [&](const auto& use) {
         for (std::uint32_t i = 0; i < triangles_.size(); ++i)
             use(kept_.find(triangles_[i], triangles_[i % 3 == 2 ? i - 2 : i + 1]), i / 3);
     };
     first_.resize(kept_.size() + 1, 0);
     at_edge_.resize(triangles_.size());
-    for_each_edge([&](std::uint32_t edge, std::uint32_t) { ++first_[edge]; });
+    for_each_side([&](std::uint32_t edge, std::uint32_t) { ++first_[edge]; });
     std::uint32_t sum = 0;
     for (std::uint32_t& first : first_) first = sum += first;
-    for_each_edge([&](std::uint32_t edge, std::uint32_t t) { at_edge_[--first_[edge]] = t; });
+    for_each_side([&](std::uint32_t edge, std::uint32_t t) { at_edge_[--first_[edge]] = t; });
 }
 
-// Adds a triangle in the orientation that has the edge from `from` to `to`, unless the patch has
-// it. Returns false if it has it in the other orientation.
+// Adds a triangle, turned so that its edge runs from `from` to `to`. If the patch has the triangle
+// already, returns whether it is turned like that.
 bool BoundaryPatch::add(std::uint32_t triangle, std::uint32_t from, std::uint32_t to) {
     const std::uint32_t* const v = triangles_.begin() + 3 * std::size_t{triangle};
     bool is_turned = false;
@@ -174,7 +174,6 @@ bool BoundaryPatch::measure() {
     return std::isfinite(radius_);
 }
 
-// Twice the area of a triangle as seen from above; it is negative if the triangle faces down.
 double BoundaryPatch::area(const double* a, const double* b, const double* c) const noexcept {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
@@ -187,13 +186,10 @@ double BoundaryPatch::area(const double* a, const double* b, const double* c) co
 bool BoundaryPatch::is_met_by(std::uint32_t a, std::uint32_t b) const noexcept {
     const double *const p = mesh_.point(a), *const q = mesh_.point(b);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        const BoundingBox& box = boxes_[i];
-        bool is_beside = false;
-        for (int k = 0; k < 3; ++k)
-            is_beside = is_beside || (p[k] < box.low[k] && q[k] < box.low[k]) ||
-                        (p[k] > box.high[k] && q[k] > box.high[k]);
         const std::uint32_t* const v = corners_.begin() + 3 * i;
-        if (!is_beside && Crossings::of_triangle(mesh_, {v[0], v[1], v[2]}).of_edge(a, b) == 1)
+        // Most triangles are far away, so their boxes are kept.
+        if (!boxes_[i].has_beside(p, q) &&
+            Crossings::of_triangle(mesh_, {v[0], v[1], v[2]}).of_edge(a, b) == 1)
             return true;
     }
     if (!has_vertex(a) || !has_vertex(b)) return false;

@@ -62,6 +62,9 @@ class BoundaryPatch {
     // The direction in which above is. Its length is 1.
     const double (&normal() const noexcept)[3] { return normal_; }
     const double (&middle() const noexcept)[3] { return middle_; }
+    // Twice the area of a triangle as seen from above, which is positive if its corners appear
+    // counter-clockwise.
+    double area(const double* a, const double* b, const double* c) const noexcept;
     // The largest distance of a vertex from the middle.
     double radius() const noexcept { return radius_; }
     // Whether an edge of the mesh crosses the inside of a triangle; or runs along it, up to
@@ -83,7 +86,6 @@ class BoundaryPatch {
     bool add(std::uint32_t triangle, std::uint32_t from, std::uint32_t to);
     bool measure();
     std::size_t triangle_at(const double (&x)[3]) const noexcept;
-    double area(const double* a, const double* b, const double* c) const noexcept;
 
     FlipMesh& mesh_;
     const PairTable& kept_;

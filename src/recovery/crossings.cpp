@@ -9,11 +9,11 @@ int Crossings::of_edge(std::uint32_t u, std::uint32_t v) const noexcept {
                         *const q = point(v);
     if (c_ == no_index) {
         if ((u == a_ && v == b_) || (u == b_ && v == a_)) return found;
-        if (is_corner(u) || is_corner(v) || are_beside_box(p, q)) return 0;
+        if (is_corner(u) || is_corner(v) || box_.has_beside(p, q)) return 0;
         return orientation(a, b, p, q) == 0 && side_of_edge(a, b, p, q) < 0 &&
                side_of_edge(p, q, a, b) < 0;
     }
-    if (is_corner(u) || is_corner(v) || are_beside_box(p, q)) return 0;
+    if (is_corner(u) || is_corner(v) || box_.has_beside(p, q)) return 0;
     const double* const c = point(c_);
     const int above = orientation(a, b, c, p);
     if (above == 0 || orientation(a, b, c, q) != -above) return 0;
@@ -22,7 +22,7 @@ int Crossings::of_edge(std::uint32_t u, std::uint32_t v) const noexcept {
 }
 
 int Crossings::of_face(std::uint32_t u, std::uint32_t v, std::uint32_t w) const noexcept {
-    if (!count_faces() || are_beside_box(point(u), point(v), point(w))) return 0;
+    if (!count_faces() || box_.has_beside(point(u), point(v), point(w))) return 0;
     const int of_u = side(u, v);
     return of_u != 0 && side(v, w) == of_u && side(w, u) == of_u ? of_plane(u, v, w) : 0;
 }
@@ -33,7 +33,7 @@ int Crossings::of_faces(std::uint32_t p, std::uint32_t q,
     int sum = 0;
     if (of_pq == 0) return sum;
     for (const std::uint32_t v : vertices)
-        if (!are_beside_box(point(p), point(q), point(v)) && side(q, v) == of_pq &&
+        if (!box_.has_beside(point(p), point(q), point(v)) && side(q, v) == of_pq &&
             side(v, p) == of_pq)
             sum += of_plane(p, q, v);
     return sum;

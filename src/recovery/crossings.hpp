@@ -61,15 +61,6 @@ class Crossings {
     const double* point(std::uint32_t v) const noexcept { return mesh_.point(v); }
     bool is_corner(std::uint32_t v) const noexcept { return v == a_ || v == b_ || v == c_; }
 
-    // Whether points are all beyond one side of the box of what is missing, so that nothing between
-    // them is crossed.
-    template <class... Point>
-    bool are_beside_box(const Point*... p) const noexcept {
-        for (int k = 0; k < 3; ++k)
-            if (((p[k] < box_.low[k]) && ...) || ((p[k] > box_.high[k]) && ...)) return true;
-        return false;
-    }
-
     const FlipMesh& mesh_;
     std::uint32_t a_, b_, c_;  // c_ is no_index for a segment, all are for nothing
     BoundingBox box_;

@@ -54,25 +54,25 @@ std::uint32_t FlipMesh::new_slot() {
 // Finds the faces with which those of the new tetrahedra are joined. Returns false if the new
 // tetrahedra have other outer faces than those that leave.
 bool FlipMesh::pair_faces(const Buffer<std::uint32_t>& removed, const Buffer<Corners>& added) {
-    marks_.grow(tetrahedra.size());
-    marks_.resize(tetrahedra.size(), 0);
+    leaves_.grow(tetrahedra.size());
+    leaves_.resize(tetrahedra.size(), 0);
     faces_.clear();
     std::size_t size = 16;
     while (size < 8 * (removed.size() + added.size())) size *= 2;
     table_.clear();
     table_.resize(size, 0u);
-    for (const std::uint32_t t : removed) marks_[t] = 1;
+    for (const std::uint32_t t : removed) leaves_[t] = 1;
     for (const std::uint32_t t : removed)
         for (unsigned i = 0; i < 4; ++i) {
             const std::uint32_t behind = tetrahedra[t].n[i];
-            if (behind != no_index && marks_[behind / 4] != 0) continue;
+            if (behind != no_index && leaves_[behind / 4] != 0) continue;
             Face face = make_face(tetrahedra[t].v, i);
             face.code = behind;
             face.is_odd = !face.is_odd;
             faces_.push_back(face);
             place_of(face) = static_cast<std::uint32_t>(faces_.size());
         }
-    for (const std::uint32_t t : removed) marks_[t] = 0;
+    for (const std::uint32_t t : removed) leaves_[t] = 0;
     outer_faces_ = faces_.size();
     links_.clear();
     std::size_t open = faces_.size();
@@ -188,19 +188,8 @@ std::uint32_t FlipMesh::tetrahedron_towards(std::uint32_t a, std::uint32_t b) {
 }
 
 void FlipMesh::collect_star(std::uint32_t v, Buffer<std::uint32_t>& star) {
-    marks_.grow(tetrahedra.size());
-    marks_.resize(tetrahedra.size(), 0);
     star.clear();
-    star.push_back(hints[v]);
-    marks_[hints[v]] = 1;
-    for (std::size_t i = 0; i < star.size(); ++i)
-        for (unsigned k = 0; k < 4; ++k) {
-            const Tetrahedron& t = tetrahedra[star[i]];
-            if (t.v[k] == v || marks_[t.n[k] / 4] != 0) continue;
-            star.push_back(t.n[k] / 4);
-            marks_[star.back()] = 1;
-        }
-    for (const std::uint32_t t : star) marks_[t] = 0;
+    find_at(v, [&](std::uint32_t t) { return star.push_back(t), false; });
 }
 
 void FlipMesh::undo(std::size_t state) noexcept {

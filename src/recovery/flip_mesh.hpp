@@ -21,7 +21,7 @@ class FlipMesh : public LinkedTetrahedra {
           faces_(allocator),
           links_(allocator),
           table_(allocator),
-          marks_(allocator),
+          leaves_(allocator),
           removed_(allocator),
           added_(allocator) {}
 
@@ -40,7 +40,7 @@ class FlipMesh : public LinkedTetrahedra {
     bool is_positive(const Corners& t) const noexcept;
     // Whether the tetrahedra of a list from element `first` on are positive.
     bool are_positive(const Buffer<Corners>& list, std::size_t first = 0) const noexcept;
-    // Lists the tetrahedra at a vertex that is not on the hull.
+    // Lists the tetrahedra at a vertex.
     void collect_star(std::uint32_t v, Buffer<std::uint32_t>& star);
 
     // Replaces tetrahedra by others that fill the same place. Returns false, and changes nothing,
@@ -99,7 +99,7 @@ class FlipMesh : public LinkedTetrahedra {
     Buffer<std::uint32_t> links_;  // for each face of a new tetrahedron, the earlier equal face
     std::size_t outer_faces_ = 0;
     Buffer<std::uint32_t> table_;    // a hash table of the faces: their numbers plus 1, or 0
-    Buffer<std::uint8_t> marks_;     // of tetrahedra, 0 between calls
+    Buffer<std::uint8_t> leaves_;    // marks the tetrahedra that leave
     Buffer<std::uint32_t> removed_;  // those of split()
     Buffer<Corners> added_;
 };

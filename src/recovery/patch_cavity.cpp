@@ -69,7 +69,7 @@ bool PatchCavity::divide(const BoundaryPatch& patch) {
                 if (patch.is_met_by(a, b)) take_in_ring(a, b);
             }
     }
-    double heights[3] = {0, 0, 0};
+    double areas[3] = {0, 0, 0};
     std::uint8_t sides = 0;
     for (const std::uint32_t t : tetrahedra_)
         for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face) {
@@ -78,10 +78,10 @@ bool PatchCavity::divide(const BoundaryPatch& patch) {
                 if (sides == 2) return false;
                 spread(face, static_cast<Side>(++sides), patch);
             }
-            heights[side_of_[face]] += rise(face, patch.normal());
+            areas[side_of_[face]] += area(face, patch);
         }
-    if (sides != 2 || (heights[above] > 0) == (heights[below] > 0)) return false;
-    if (!(heights[above] > 0))
+    if (sides != 2 || (areas[above] > 0) == (areas[below] > 0)) return false;
+    if (!(areas[above] > 0))
         for (const std::uint32_t t : tetrahedra_)
             for (std::uint32_t face = 4 * t; face < 4 * t + 4; ++face)
                 if (side_of_[face] != neither)
@@ -116,7 +116,8 @@ void PatchCavity::spread(std::uint32_t face, Side side, const BoundaryPatch& pat
 std::uint32_t PatchCavity::next_face(std::uint32_t face, unsigned opposite,
                                      std::uint32_t border) const noexcept {
     std::uint32_t t = face / 4;
-    // The corner of the face is the one that the turn around the edge leaves behind.
+    // The way around the edge enters a tetrahedron through the face opposite to corner `front`, and
+    // leaves it through the face opposite to corner `back`.
     unsigned back = opposite, front = face % 4;
     for (;;) {
         if (border != no_index &&
@@ -132,19 +133,13 @@ std::uint32_t PatchCavity::next_face(std::uint32_t face, unsigned opposite,
     }
 }
 
-// How far a face, with its outer side, faces up: twice the area of its projection.
-double PatchCavity::rise(std::uint32_t face, const double (&normal)[3]) const noexcept {
+// Twice the area of a face of the cavity as seen from above, which is positive if the cavity is
+// below the face.
+double PatchCavity::area(std::uint32_t face, const BoundaryPatch& patch) const noexcept {
     const std::uint32_t* const v = mesh_.of(face).v;
-    const unsigned char* const f = outer_face[face % 4];
     // The order of outer_face is counter-clockwise as seen from the inside.
-    const double *const a = mesh_.point(v[f[0]]), *const b = mesh_.point(v[f[2]]),
-                        *const c = mesh_.point(v[f[1]]);
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const int l = (k + 1) % 3, m = (k + 2) % 3;
-        sum += normal[k] * ((b[l] - a[l]) * (c[m] - a[m]) - (b[m] - a[m]) * (c[l] - a[l]));
-    }
-    return sum;
+    const unsigned char* const f = outer_face[face % 4];
+    return patch.area(mesh_.point(v[f[0]]), mesh_.point(v[f[2]]), mesh_.point(v[f[1]]));
 }
 
 void PatchCavity::set_side(std::uint32_t face, Side side) {

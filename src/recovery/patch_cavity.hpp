@@ -39,9 +39,9 @@ class PatchCavity {
     void take_in(std::uint32_t t);
     // Takes in the tetrahedra around an edge.
     void take_in_ring(std::uint32_t a, std::uint32_t b);
-    // Takes in what the insides of the triangles of a patch cross, and divides the faces of the
-    // cavity. It has to contain what the edges of the patch cross. Returns false if the border of
-    // the patch does not divide the faces in two sides.
+    // Takes in what the insides of the triangles of a patch cross, and finds the two sides. What
+    // the edges of the patch cross has to be in the cavity already. Returns false if the border of
+    // the patch does not divide the faces of the cavity in two sides.
     bool divide(const BoundaryPatch& patch);
     // Takes in tetrahedra until a point sees all faces of a side. Returns false, with the cavity as
     // it was, if it would reach a face of the other side or the hull of the mesh, if it would
@@ -84,7 +84,7 @@ class PatchCavity {
     static std::uint64_t entry(std::uint32_t border, std::uint32_t t) noexcept {
         return std::uint64_t{border} << 32 | t;
     }
-    double rise(std::uint32_t face, const double (&normal)[3]) const noexcept;
+    double area(std::uint32_t face, const BoundaryPatch& patch) const noexcept;
     void set_side(std::uint32_t face, Side side);
     bool take_in_behind(std::uint32_t face, Side side);
 

@@ -27,7 +27,7 @@ bool PatchRecovery::has_failed(Failure failure) const noexcept {
                        [&](std::uint32_t t) { return (failed_[t] & failure) != 0; });
 }
 
-// Marks the first triangles of the patch.
+// Records that a patch with the first `triangles` triangles of this one has failed.
 void PatchRecovery::mark(Failure failure, std::size_t triangles) noexcept {
     for (std::size_t i = 0; i < triangles; ++i) failed_[patch_.triangles()[i]] |= failure;
 }

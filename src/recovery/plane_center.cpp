@@ -65,8 +65,8 @@ bool PlaneCenter::find_step(const double (&x)[3], double (&step)[3]) const {
 
 bool PlaneCenter::enter(double (&x)[3]) const {
     constexpr int most_steps = 200;
-    // A step goes on beyond the plane by half of its length, and at least by a share of the largest
-    // distance from a plane, since x may be on the plane.
+    // A step ends beyond the plane, by half of the distance to the plane. If x is on the plane, the
+    // step has this share of the largest distance of x from a plane as its length.
     constexpr double length = 1.5, least_share = 1e-3;
     double largest = 0;
     for (const Plane& plane : planes_) largest = std::max(largest, std::fabs(distance(plane, x)));

@@ -22,8 +22,8 @@ class Octahedron : public testing::Test {
         for (const std::uint32_t x : {0u, 1u})
             for (const std::uint32_t y : {2u, 3u})
                 for (const std::uint32_t z : {4u, 5u}) {
-                    const bool is_odd = (x + y + z) % 2 == 0;
-                    faces.push_back({{is_odd ? y : x, is_odd ? x : y, z, 6}});
+                    const bool is_turned = (x + y + z) % 2 == 0;
+                    faces.push_back({{is_turned ? y : x, is_turned ? x : y, z, 6}});
                 }
     }
     std::uint32_t add_point(double x, double y, double z) { return mesh.add_point({x, y, z}); }
