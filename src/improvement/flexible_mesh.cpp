@@ -7,6 +7,30 @@
 
 namespace mgdt {
 
+FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocator)
+    : LinkedMesh(from, team, allocator),
+      qualities(allocator),
+      classes(allocator),
+      star_sizes(allocator),
+      last_change(allocator),
+      faces_(allocator),
+      links_(allocator),
+      slots_(allocator),
+      leaves_(allocator) {
+    star_sizes.resize(hints.size(), 0);
+    last_change.resize(hints.size(), 0);
+    classes.resize(hints.size(), {Freedom::fixed, false, {0, 0, 0}});
+    qualities.resize(tetrahedra.size());
+    constexpr std::size_t tetrahedra_per_thread = 4096;
+    team_.split(tetrahedra.size(), tetrahedra_per_thread,
+                [&](std::size_t begin, std::size_t end, unsigned) {
+                    for (std::size_t t = begin; t < end; ++t)
+                        qualities[t] = quality(tetrahedra[t].v);
+                });
+    for (const Tetrahedron& t : tetrahedra)
+        for (const std::uint32_t v : t.v) ++star_sizes[v];
+}
+
 double FlexibleMesh::quality_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                 std::uint32_t d) const noexcept {
     return mgdt::quality_of(point(a), point(b), point(c), point(d));

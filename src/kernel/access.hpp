@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Policies of access to the mesh: by one thread alone, by one of several threads in its zone, or by
 // one of several threads anywhere; each with stored spheres or with spheres that are computed on
-// demand. The walk, the cavity and the star are templates, and compiled for each policy.
+// demand. Two more are for meshes with walls, where cavities are found first and filled later. The
+// walk, the cavity and the star are templates, and compiled for each policy.
 #pragma once
 
 #include "kernel/island.hpp"
+#include "kernel/kernel.hpp"
 #include "kernel/sphere_source.hpp"
 #include "kernel/thread_state.hpp"
 
@@ -15,7 +17,7 @@ inline namespace MGDT_ISLAND {
 template <class Spheres>
 struct SerialAccess {
     using SphereSource = Spheres;
-    static constexpr bool is_alone = true, has_mark_table = false;
+    static constexpr bool is_alone = true, has_mark_table = false, has_walls = false;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
     bool owns(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
@@ -38,7 +40,7 @@ struct SerialAccess {
 // The common part of both policies for several threads: slots and ghost counts are thread-local.
 class SharedAccess {
   public:
-    static constexpr bool is_alone = false;
+    static constexpr bool is_alone = false, has_walls = false;
 
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         thread_state_.reserve_slots(taken, freed);
@@ -119,10 +121,56 @@ class ConcurrentAccess : public SharedAccess {
 template <class Spheres>
 struct ReadingAccess {
     using SphereSource = Spheres;
-    static constexpr bool is_alone = false, has_mark_table = true;
+    static constexpr bool is_alone = false, has_mark_table = true, has_walls = false;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return table; }
     MarkTable& table;
+};
+
+// Read-only access to a mesh with walls, which are faces that no cavity grows through. Bit i of
+// walls[t] says whether face i of tetrahedron t is one.
+struct WalledAccess : ReadingAccess<KeptSpheres> {
+    static constexpr bool has_walls = true;
+    WalledAccess(MarkTable& table, const std::uint8_t* of_tetrahedra) noexcept
+        : ReadingAccess{table}, walls(of_tetrahedra) {}
+    const std::uint8_t* const walls;
+};
+
+// The faces of a member of a cavity through which the cavity may not grow.
+template <class Access>
+MGDT_ALWAYS_INLINE std::uint32_t walls_of(Access access, FacetCode member) {
+    if constexpr (Access::has_walls)
+        return access.walls[tetrahedron_of(member)];
+    else
+        return 0;
+}
+
+// Access of one of several threads that build stars at the same time, where no cavity has a
+// tetrahedron that is in, or next to, another one. Their slots were planned before: those of the
+// cavity come first. Vertices get no hints.
+class PlannedAccess {
+  public:
+    using SphereSource = KeptSpheres;
+    static constexpr bool is_alone = false, has_walls = false;
+
+    PlannedAccess(Mesh& mesh, StarSlots& slots) noexcept : mesh_(mesh), slots_(slots) {}
+
+    bool owns(const Tetrahedron&) const noexcept { return true; }
+    MGDT_ALWAYS_INLINE void reserve_slots(std::size_t, std::size_t) const noexcept {}
+    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
+        for (std::size_t i = 0; i < count; ++i) slots[i] = first_facet(*slots_.taken++);
+    }
+    MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept {
+        mesh_.tetrahedra[t].kill();
+        *slots_.freed++ = t;
+    }
+    MGDT_ALWAYS_INLINE void count_ghosts(std::size_t, std::size_t) const noexcept {}
+    MGDT_ALWAYS_INLINE void made_ghost(TetId) const noexcept {}
+    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId, TetId) const noexcept {}
+
+  private:
+    Mesh& mesh_;
+    StarSlots& slots_;
 };
 
 }  // namespace MGDT_ISLAND

@@ -236,8 +236,9 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
         const FacetCode* const n = front.tetrahedra.of(member).n;
         const auto four = front.tetrahedra.four(n);
         const FourPowers powers(spheres, four, query);
-        conflict = powers.negative() & active;
-        undecided = active & ~powers.decided();
+        const std::uint32_t passable = active & ~walls_of(access, member);
+        conflict = powers.negative() & passable;
+        undecided = passable & ~powers.decided();
         if (MGDT_UNLIKELY(undecided != 0)) {
             pause = Pause::undecided;
             break;

@@ -49,6 +49,13 @@ struct ApexResult {
 inline constexpr std::uint32_t infinite_apex = no_index - 1;  // the facet is on the hull
 inline constexpr std::uint32_t no_apex = no_index;            // the filter does not decide
 
+// The slots of a star beside those of its cavity: where to read the slots that it takes, and where
+// to write those that it leaves. Both pointers advance.
+struct StarSlots {
+    const TetId* taken;
+    TetId* freed;
+};
+
 struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
@@ -73,6 +80,16 @@ struct KernelCalls {
     // one mesh at the same time. Throws std::bad_alloc.
     void (*find_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks, const double* q,
                         TetId start);
+    // Like find_cavity() in a mesh with walls, through which the cavity does not grow: bit i of
+    // walls[t] says whether face i of tetrahedron t is one. The pointer is null for meshes without
+    // spheres, as the next one is.
+    void (*find_walled_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks,
+                               const std::uint8_t* walls, const double* q, TetId start);
+    // Replaces the cavity in the workspace, which has room for its star, by the star of vertex q.
+    // Facet i of the boundary becomes face 0 of the new tetrahedron in the workspace's slot i.
+    // Several threads may call the function on one mesh at the same time for cavities that are not
+    // next to each other.
+    void (*build_star)(Mesh& mesh, Workspace& workspace, VertexId q, StarSlots& slots);
 };
 
 struct Kernel {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Makes a flexible mesh of a caller's mesh, and the other way round.
+#include "solid/linked_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "improvement/flexible_mesh.hpp"
 #include "solid/corner_exponent.hpp"
+#include "solid/sorted_corners.hpp"
 
 namespace mgdt {
 namespace {
@@ -14,51 +15,36 @@ constexpr std::size_t tetrahedra_per_thread = 4096;
 
 }  // namespace
 
-FlexibleMesh::FlexibleMesh(const SolidMesh& from, Team& team, Allocator& allocator)
+LinkedMesh::LinkedMesh(const SolidMesh& from, Team& team, Allocator& allocator)
     : LinkedTetrahedra(allocator),
       regions(allocator),
-      qualities(allocator),
       x(allocator),
-      classes(allocator),
       is_lost(allocator),
-      star_sizes(allocator),
-      last_change(allocator),
       edges(allocator),
       labels(allocator),
       team_(team),
-      allocator_(allocator),
-      faces_(allocator),
-      links_(allocator),
-      slots_(allocator),
-      leaves_(allocator) {
+      allocator_(allocator) {
     // What the others become does not matter.
     scale_ = corner_exponent(from);
     x.resize(from.points.size());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(from.points[i], -scale_);
     is_lost.resize(x.size() / 3, 0);
-    star_sizes.resize(x.size() / 3, 0);
-    last_change.resize(x.size() / 3, 0);
-    classes.resize(x.size() / 3, {Freedom::fixed, false, {0, 0, 0}});
     const auto count = static_cast<std::uint32_t>(from.tetrahedron_count());
     tetrahedra.resize(count);
     hints.resize(x.size() / 3, no_tetrahedron);
     regions.resize(count);
-    qualities.resize(count);
     team_.split(count, tetrahedra_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t t = begin; t < end; ++t) read_tetrahedron(from, t);
     });
     for (std::uint32_t t = 0; t < count; ++t)
-        for (const std::uint32_t v : tetrahedra[t].v) {
-            hints[v] = t;
-            ++star_sizes[v];
-        }
+        for (const std::uint32_t v : tetrahedra[t].v) hints[v] = t;
     read_faces(from);
     for (std::size_t e = 0; e < from.edge_segments.size(); ++e)
         edges.add(from.edges[2 * e], from.edges[2 * e + 1],
                   {from.edge_segments[e], from.edge_markers[e]});
 }
 
-void FlexibleMesh::read_tetrahedron(const SolidMesh& from, std::size_t t) noexcept {
+void LinkedMesh::read_tetrahedron(const SolidMesh& from, std::size_t t) noexcept {
     Tetrahedron& to = tetrahedra[t];
     for (unsigned i = 0; i < 4; ++i) {
         to.v[i] = from.tetrahedra[4 * t + i];
@@ -70,10 +56,9 @@ void FlexibleMesh::read_tetrahedron(const SolidMesh& from, std::size_t t) noexce
         to.n[i] = 4 * next + static_cast<std::uint32_t>(std::find(back, back + 4, t) - back);
     }
     regions[t] = from.regions[t];
-    qualities[t] = quality(to.v);
 }
 
-void FlexibleMesh::read_faces(const SolidMesh& from) {
+void LinkedMesh::read_faces(const SolidMesh& from) {
     // Facets get labels in the order of their numbers.
     for (std::size_t f = 0; f < from.face_facets.size(); ++f)
         labels.push_back({from.face_facets[f], from.face_markers[f]});
@@ -98,7 +83,7 @@ void FlexibleMesh::read_faces(const SolidMesh& from) {
     }
 }
 
-void FlexibleMesh::write(SolidMesh& to) const {
+void LinkedMesh::write(SolidMesh& to) const {
     SolidMesh made(to.points.allocator());
     Buffer<std::uint32_t> number(allocator_);
     write(to, made, number);
@@ -106,8 +91,8 @@ void FlexibleMesh::write(SolidMesh& to) const {
     to = std::move(made);
 }
 
-void FlexibleMesh::write(const SolidMesh& from, SolidMesh& made,
-                         Buffer<std::uint32_t>& number) const {
+void LinkedMesh::write(const SolidMesh& from, SolidMesh& made,
+                       Buffer<std::uint32_t>& number) const {
     write_tetrahedra(number, made);
     write_faces(number, from, made);
     write_edges(made);
@@ -126,7 +111,7 @@ void FlexibleMesh::write(const SolidMesh& from, SolidMesh& made,
 }
 
 // Writes the tetrahedra, sorted, and their numbers.
-void FlexibleMesh::write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& made) const {
+void LinkedMesh::write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& made) const {
     Buffer<SortedCorners<4>> records(allocator_);
     for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
         if (tetrahedra[t].is_dead()) continue;
@@ -160,8 +145,8 @@ void FlexibleMesh::write_tetrahedra(Buffer<std::uint32_t>& number, SolidMesh& ma
 }
 
 // Writes the faces at tetrahedra, and those of the mesh before that are at none.
-void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidMesh& before,
-                               SolidMesh& made) const {
+void LinkedMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidMesh& before,
+                             SolidMesh& made) const {
     struct Source {
         Label label;
         std::uint32_t ends[2];
@@ -189,13 +174,15 @@ void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidM
             const Side side = tetrahedra[t].facets[i];
             const std::uint32_t behind = tetrahedra[t].n[i];
             if (side == no_index || (behind != no_index && behind < 4 * t + i)) continue;
-            const Face face = make_face(tetrahedra[t].v, i);
-            Source source = {labels[label_of(side)],
-                             {no_index, no_index},
-                             face.corners.is_odd == (side % 2 == 0)};
+            const std::uint32_t(&v)[4] = tetrahedra[t].v;
+            const unsigned char* const f = outer_face[i];
+            SortedCorners<3> record = {{v[f[0]], v[f[1]], v[f[2]]}, no_index, false};
+            record.sort();
+            Source source = {
+                labels[label_of(side)], {no_index, no_index}, record.is_odd == (side % 2 == 0)};
             source.ends[side % 2] = number[t];
             if (behind != no_index) source.ends[1 - side % 2] = number[behind / 4];
-            add(face.corners, source);
+            add(record, source);
         }
     sort_by_corners(team_, allocator_, records);
     for (const SortedCorners<3>& record : records) {
@@ -214,7 +201,7 @@ void FlexibleMesh::write_faces(const Buffer<std::uint32_t>& number, const SolidM
 // Writes the points and gives vertices their numbers: the caller's keep theirs, and of the others
 // those that have left the mesh leave no gaps. A Steiner point stays on its edge if neither it nor
 // an end of the edge has moved.
-void FlexibleMesh::write_points(const SolidMesh& before, SolidMesh& made) const {
+void LinkedMesh::write_points(const SolidMesh& before, SolidMesh& made) const {
     const std::size_t given = before.points.size() / 3 - before.steiner_parameters.size();
     Buffer<std::uint32_t> number(allocator_);
     Buffer<std::uint8_t> has_moved(allocator_);
@@ -254,7 +241,7 @@ void FlexibleMesh::write_points(const SolidMesh& before, SolidMesh& made) const 
 }
 
 // Writes the edges: those that were read come first. Vertices have their numbers in this mesh.
-void FlexibleMesh::write_edges(SolidMesh& made) const {
+void LinkedMesh::write_edges(SolidMesh& made) const {
     edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin& origin) {
         made.edges.push_back(a);
         made.edges.push_back(b);
