@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/vector.hpp"
+#include "solid/rounded_volume.hpp"
 
 namespace mgdt {
 
@@ -14,26 +14,6 @@ constexpr double obtuse_weight = 0.7;
 
 // The quality of a regular tetrahedron, and a number above all qualities.
 constexpr double best_quality = 8.0 / 9, above_all = 2;
-
-// An upper bound on the error of six times the volume of a tetrahedron, as quality_of() computes
-// it, relative to the same sum with all terms positive (docs/theory.md, "The quality of a
-// tetrahedron").
-constexpr double volume_error = 9 * 0x1p-53;
-// What underflow can lose of a volume is below this, and what is below it counts as nothing.
-constexpr double least_product = 0x1p-1000;
-
-// Six times the volume of the tetrahedron with the edges u, v and w at a corner, positive if it is
-// positively oriented. `size` is the same sum with all terms positive.
-inline double rounded_volume(const Vector<double>& u, const Vector<double>& v,
-                             const Vector<double>& w, double& size) noexcept {
-    const auto minor = [&](int i, int j) { return v.x[i] * w.x[j] - v.x[j] * w.x[i]; };
-    const auto minor_size = [&](int i, int j) {
-        return std::fabs(v.x[i] * w.x[j]) + std::fabs(v.x[j] * w.x[i]);
-    };
-    size = (std::fabs(u.x[0]) * minor_size(1, 2) + std::fabs(u.x[1]) * minor_size(2, 0)) +
-           std::fabs(u.x[2]) * minor_size(0, 1);
-    return (u.x[0] * minor(1, 2) + u.x[1] * minor(2, 0)) + u.x[2] * minor(0, 1);
-}
 
 // The square of the least sine of the six dihedral angles of a tetrahedron, where the sines of
 // obtuse angles are multiplied by obtuse_weight. It is at most 8/9. The result is 0 if the

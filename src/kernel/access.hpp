@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Policies of access to the mesh: by one thread alone, by one of several threads in its zone, or by
 // one of several threads anywhere; each with stored spheres or with spheres that are computed on
-// demand. Two more are for meshes with walls, where cavities are found first and filled later. The
+// demand. One more is for meshes with walls, where a cavity is looked at before it is filled. The
 // walk, the cavity and the star are templates, and compiled for each policy.
 #pragma once
 
@@ -127,42 +127,32 @@ struct ReadingAccess {
     MarkTable& table;
 };
 
-// Read-only access to a mesh with walls, which are faces that no cavity grows through. Bit i of
-// walls[t] says whether face i of tetrahedron t is one.
-struct WalledAccess : ReadingAccess<KeptSpheres> {
-    static constexpr bool has_walls = true;
-    WalledAccess(MarkTable& table, const std::uint8_t* of_tetrahedra) noexcept
-        : ReadingAccess{table}, walls(of_tetrahedra) {}
-    const std::uint8_t* const walls;
-};
-
-// The faces of a member of a cavity through which the cavity may not grow.
-template <class Access>
-MGDT_ALWAYS_INLINE std::uint32_t walls_of(Access access, FacetCode member) {
-    if constexpr (Access::has_walls)
-        return access.walls[tetrahedron_of(member)];
-    else
-        return 0;
-}
-
-// Access of one of several threads that build stars at the same time, where no cavity has a
-// tetrahedron that is in, or next to, another one. Their slots were planned before: those of the
-// cavity come first. Vertices get no hints.
-class PlannedAccess {
+// Access of one of several threads in its zone of a mesh with walls, which are faces that no cavity
+// grows through. Bit i of walls[t] says whether face i of tetrahedron t is one. Tetrahedra between
+// zones are closed, as for ZoneAccess. Slots come from a stack, and vertices get no hints.
+class WalledAccess {
   public:
     using SphereSource = KeptSpheres;
-    static constexpr bool is_alone = false, has_walls = false;
+    static constexpr bool is_alone = false, has_mark_table = false, has_walls = true;
 
-    PlannedAccess(Mesh& mesh, StarSlots& slots) noexcept : mesh_(mesh), slots_(slots) {}
+    WalledAccess(Mesh& mesh, const std::uint8_t* walls, TetId** slots) noexcept
+        : mesh_(mesh), walls_(walls), slots_(slots) {}
 
-    bool owns(const Tetrahedron&) const noexcept { return true; }
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
+        return !TetrahedronStore::sphere_of(t).is_closed();
+    }
+    bool owns(const Tetrahedron& t) const noexcept { return try_own(t); }
+    // The faces of a member of a cavity that are walls.
+    MGDT_ALWAYS_INLINE std::uint32_t walls_of(FacetCode member) const noexcept {
+        return walls_[tetrahedron_of(member)];
+    }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t, std::size_t) const noexcept {}
     MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) slots[i] = first_facet(*slots_.taken++);
+        for (std::size_t i = 0; i < count; ++i) slots[i] = first_facet(*--*slots_);
     }
     MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept {
         mesh_.tetrahedra[t].kill();
-        *slots_.freed++ = t;
+        *(*slots_)++ = t;
     }
     MGDT_ALWAYS_INLINE void count_ghosts(std::size_t, std::size_t) const noexcept {}
     MGDT_ALWAYS_INLINE void made_ghost(TetId) const noexcept {}
@@ -170,7 +160,8 @@ class PlannedAccess {
 
   private:
     Mesh& mesh_;
-    StarSlots& slots_;
+    const std::uint8_t* const walls_;
+    TetId** const slots_;  // the end of the stack
 };
 
 }  // namespace MGDT_ISLAND

@@ -198,6 +198,36 @@ MGDT_ALWAYS_INLINE std::uint32_t other_faces(FacetCode code) {
     return 0xFu ^ (1u << face_of(code));
 }
 
+// The neighbours of a member that are tested: all of them, or those that are not beyond walls. The
+// member itself stands for the others.
+template <class Access>
+class OpenNeighbors {
+  public:
+    MGDT_ALWAYS_INLINE OpenNeighbors(Access access, FacetCode member, const FacetCode* n) noexcept
+        : faces_(0xFu & ~access.walls_of(member)) {
+        for (unsigned k = 0; k < 4; ++k) codes_[k] = faces_ >> k & 1 ? n[k] : member;
+    }
+    MGDT_ALWAYS_INLINE const FacetCode* codes() const noexcept { return codes_; }
+    MGDT_ALWAYS_INLINE std::uint32_t faces() const noexcept { return faces_; }
+
+  private:
+    std::uint32_t faces_;
+    FacetCode codes_[4];
+};
+struct AllNeighbors {
+    MGDT_ALWAYS_INLINE const FacetCode* codes() const noexcept { return n; }
+    MGDT_ALWAYS_INLINE static constexpr std::uint32_t faces() noexcept { return 0xFu; }
+    const FacetCode* n;
+};
+template <class Access>
+MGDT_ALWAYS_INLINE auto open_neighbors([[maybe_unused]] Access access,
+                                       [[maybe_unused]] FacetCode member, const FacetCode* n) {
+    if constexpr (Access::has_walls)
+        return OpenNeighbors<Access>(access, member, n);
+    else
+        return AllNeighbors{n};
+}
+
 // Why growing pauses.
 enum class Pause {
     done,         // the neighbours of all members are tested
@@ -234,11 +264,11 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
             }
         }
         const FacetCode* const n = front.tetrahedra.of(member).n;
-        const auto four = front.tetrahedra.four(n);
+        const auto open = open_neighbors(access, member, n);
+        const auto four = front.tetrahedra.four(open.codes());
         const FourPowers powers(spheres, four, query);
-        const std::uint32_t passable = active & ~walls_of(access, member);
-        conflict = powers.negative() & passable;
-        undecided = passable & ~powers.decided();
+        conflict = powers.negative() & active & open.faces();
+        undecided = active & open.faces() & ~powers.decided();
         if (MGDT_UNLIKELY(undecided != 0)) {
             pause = Pause::undecided;
             break;

@@ -56,13 +56,13 @@ void find_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks, const double*
     dig_cavity(ReadingAccess<Spheres>{marks}, const_cast<Mesh&>(mesh), w, {start, 0}, Query(q));
 }
 
-inline void find_walled_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks,
-                               const std::uint8_t* walls, const double* q, TetId start) {
-    dig_cavity(WalledAccess(marks, walls), const_cast<Mesh&>(mesh), w, {start, 0}, Query(q));
+inline bool dig_walled(Mesh& mesh, Workspace& w, const std::uint8_t* walls, const double* q,
+                       TetId start) {
+    return dig_cavity(WalledAccess(mesh, walls, nullptr), mesh, w, {start, 0}, Query(q));
 }
 
-inline void build_planned_star(Mesh& mesh, Workspace& w, VertexId q, StarSlots& slots) {
-    build_star(PlannedAccess(mesh, slots), mesh, w, q);
+inline void fill_walled(Mesh& mesh, Workspace& w, VertexId q, TetId** slots) {
+    build_star(WalledAccess(mesh, nullptr, slots), mesh, w, q);
 }
 
 template <class Spheres>
@@ -73,8 +73,8 @@ constexpr KernelCalls kernel_calls = {insert<Spheres>,
                                       locate_step<Spheres>,
                                       locate_jump<Spheres>,
                                       find_cavity<Spheres>,
-                                      Spheres::are_kept ? find_walled_cavity : nullptr,
-                                      Spheres::are_kept ? build_planned_star : nullptr};
+                                      Spheres::are_kept ? dig_walled : nullptr,
+                                      Spheres::are_kept ? fill_walled : nullptr};
 
 // The functions of this island that the library calls.
 constexpr Kernel kernel_named(const char* isa) {

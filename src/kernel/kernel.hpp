@@ -49,13 +49,6 @@ struct ApexResult {
 inline constexpr std::uint32_t infinite_apex = no_index - 1;  // the facet is on the hull
 inline constexpr std::uint32_t no_apex = no_index;            // the filter does not decide
 
-// The slots of a star beside those of its cavity: where to read the slots that it takes, and where
-// to write those that it leaves. Both pointers advance.
-struct StarSlots {
-    const TetId* taken;
-    TetId* freed;
-};
-
 struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
@@ -80,16 +73,18 @@ struct KernelCalls {
     // one mesh at the same time. Throws std::bad_alloc.
     void (*find_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks, const double* q,
                         TetId start);
-    // Like find_cavity() in a mesh with walls, through which the cavity does not grow: bit i of
-    // walls[t] says whether face i of tetrahedron t is one. The pointer is null for meshes without
-    // spheres, as the next one is.
-    void (*find_walled_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks,
-                               const std::uint8_t* walls, const double* q, TetId start);
-    // Replaces the cavity in the workspace, which has room for its star, by the star of vertex q.
-    // Facet i of the boundary becomes face 0 of the new tetrahedron in the workspace's slot i.
-    // Several threads may call the function on one mesh at the same time for cavities that are not
-    // next to each other.
-    void (*build_star)(Mesh& mesh, Workspace& workspace, VertexId q, StarSlots& slots);
+    // Digs the cavity of q, without filling it, in a mesh with walls, through which it does not
+    // grow: bit i of walls[t] says whether face i of tetrahedron t is one. `start` is in conflict
+    // with q. Members are marked. Returns false, with no marks left, if the cavity needs a closed
+    // tetrahedron. The pointer is null for meshes without spheres, as the next one is. Several
+    // threads may call both functions on one mesh, each in its zone. Throws std::bad_alloc.
+    bool (*dig_walled)(Mesh& mesh, Workspace& workspace, const std::uint8_t* walls, const double* q,
+                       TetId start);
+    // Fills the cavity in the workspace, which has room for its star, with the star of vertex q.
+    // The new tetrahedra take slots from a stack, which ends at *slots, after those of the cavity;
+    // slots that are free afterwards go there. Facet i of the boundary becomes face 0 of the new
+    // tetrahedron in the workspace's slot i.
+    void (*fill_walled)(Mesh& mesh, Workspace& workspace, VertexId q, TetId** slots);
 };
 
 struct Kernel {

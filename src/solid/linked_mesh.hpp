@@ -3,6 +3,8 @@
 // them.
 #pragma once
 
+#include <cmath>
+
 #include "parallel/team.hpp"
 #include "solid/kept_edges.hpp"
 #include "solid/linked_tetrahedra.hpp"
@@ -25,6 +27,9 @@ class LinkedMesh : public LinkedTetrahedra {
 
     // Whether new places can be written: subnormal coordinates would be rounded too much.
     bool can_move() const noexcept { return scale_ > -900; }
+
+    // What the caller's lengths are multiplied by in this mesh: a power of two, if can_move().
+    double scale() const noexcept { return std::ldexp(1.0, -scale_); }
 
     // Writes the points, and tetrahedra and faces, sorted as those of a domain's mesh are. `to` is
     // the mesh from which this one was made; what else it has stays. If memory runs out, it stays

@@ -127,8 +127,9 @@ TEST(Walls, EndCavities) {
                         next.push_back(other);
                 }
             }
-            made.t.calls().find_walled_cavity(mesh, workspace, marks, walls.data(), q.data(),
-                                              start);
+            Mesh& changed = made.mesh();
+            ASSERT_TRUE(
+                made.t.calls().dig_walled(changed, workspace, walls.data(), q.data(), start));
             std::set<TetId> members;
             for (std::size_t k = 0; k < workspace.cavity_size; ++k)
                 members.insert(tetrahedron_of(workspace.cavity.data[k]));
@@ -137,8 +138,11 @@ TEST(Walls, EndCavities) {
             EXPECT_EQ(std::multiset<FacetCode>(workspace.boundary.data,
                                                workspace.boundary.data + workspace.boundary_size),
                       boundary);
-            for (const TetId id : members)
-                EXPECT_FALSE(mesh.tetrahedra[id].is_in_cavity()) << "the mesh has marks";
+            std::set<TetId> marked;
+            for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
+                if (mesh.tetrahedra[id].is_in_cavity()) marked.insert(id);
+            EXPECT_EQ(marked, members);
+            workspace.restore_cavity(changed.tetrahedra, workspace.cavity_size);
             made.t.calls().find_cavity(mesh, workspace, marks, q.data(), start);
             shorter += workspace.cavity_size > members.size();
         }
@@ -160,14 +164,52 @@ std::set<Corners> live_tetrahedra(const Mesh& mesh) {
     return all;
 }
 
-// Without walls, a cavity that is found first and filled later gives what an insertion gives.
-TEST(Walls, PlannedStarsAreThoseOfInsertions) {
+// A cavity that would have a closed tetrahedron is given up, and one that ends there is not.
+TEST(Walls, ClosedTetrahedraStay) {
+    for_each_kernel([](const Kernel& kernel, bool is_on_lattice) {
+        Triangulated made(kernel, random_points(300, is_on_lattice));
+        Mesh& mesh = made.mesh();
+        const std::vector<std::uint8_t> walls(mesh.tetrahedra.size(), 0);
+        std::set<TetId> closed;
+        for (TetId id = 0; id < mesh.tetrahedra.size(); ++id) {
+            if (mesh.tetrahedra[id].is_dead() || id % 40 != 0) continue;
+            mesh.tetrahedra.sphere(id).close();
+            closed.insert(id);
+        }
+        Workspace workspace(made.t.allocator());
+        Random random(12);
+        std::size_t given_up = 0, ended = 0;
+        for (int i = 0; i < 200; ++i) {
+            const std::array<double, 3> q = random.point(is_on_lattice && i % 2 == 0);
+            const TetId start = made.in_conflict(q.data());
+            if (start == no_tetrahedron || closed.count(start) != 0) continue;
+            bool is_free = true;
+            for (const TetId id : closed)
+                is_free = is_free && !is_conflict_exact(mesh, mesh.tetrahedra[id], q.data());
+            const bool is_dug =
+                made.t.calls().dig_walled(mesh, workspace, walls.data(), q.data(), start);
+            EXPECT_EQ(is_dug, is_free);
+            if (is_dug) {
+                for (std::size_t k = 0; k < workspace.boundary_size; ++k)
+                    ended += closed.count(tetrahedron_of(workspace.boundary.data[k]));
+                workspace.restore_cavity(mesh.tetrahedra, workspace.cavity_size);
+            }
+            given_up += !is_dug;
+            for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
+                EXPECT_FALSE(mesh.tetrahedra[id].is_in_cavity());
+        }
+        EXPECT_GT(given_up, 20u);
+        EXPECT_GT(ended, 20u);
+    });
+}
+
+// Without walls, a cavity that is dug first and filled later gives what an insertion gives.
+TEST(Walls, FilledCavitiesAreThoseOfInsertions) {
     for_each_kernel([](const Kernel& kernel, bool is_on_lattice) {
         const std::vector<double> xyz = is_on_lattice ? random_points(300, true) : skew_lines(40);
         Triangulated inserted(kernel, xyz), planned(kernel, xyz);
         Mesh &one = inserted.mesh(), &other = planned.mesh();
         Workspace w(inserted.t.allocator()), own(planned.t.allocator());
-        MarkTable marks(planned.t.allocator());
         Random random(12);
         std::size_t freed_slots = 0, taken_slots = 0;
         for (int i = 0; i < 40; ++i) {
@@ -184,22 +226,25 @@ TEST(Walls, PlannedStarsAreThoseOfInsertions) {
             inserted.t.calls().insert(one, w, add(one), start);
 
             const std::vector<std::uint8_t> walls(other.tetrahedra.size(), 0);
-            planned.t.calls().find_walled_cavity(other, own, marks, walls.data(), q.data(), begin);
+            ASSERT_TRUE(planned.t.calls().dig_walled(other, own, walls.data(), q.data(), begin));
             const std::size_t removed = own.cavity_size, created = own.boundary_size;
-            own.grow_star(removed, created);
+            if (removed > own.star_removed || created > own.star_created)
+                own.grow_star(removed, created);
             const std::vector<FacetCode> boundary(own.boundary.data, own.boundary.data + created);
-            std::vector<TetId> taken, freed(removed, no_tetrahedron);
+            std::vector<TetId> stack;
             for (std::size_t k = removed; k < created; ++k) {
-                taken.push_back(static_cast<TetId>(other.tetrahedra.size()));
+                stack.push_back(static_cast<TetId>(other.tetrahedra.size()));
                 other.tetrahedra.resize(other.tetrahedra.size() + 1);
             }
-            StarSlots slots = {taken.data(), freed.data()};
-            planned.t.calls().build_star(other, own, add(other), slots);
-            EXPECT_EQ(slots.taken, taken.data() + taken.size());
-            EXPECT_EQ(slots.freed - freed.data(),
-                      static_cast<std::ptrdiff_t>(removed > created ? removed - created : 0));
-            taken_slots += taken.size();
-            freed_slots += static_cast<std::size_t>(slots.freed - freed.data());
+            const std::size_t taken = stack.size(), freed = removed - std::min(removed, created);
+            stack.resize(taken + removed);
+            TetId* end = stack.data() + taken;
+            planned.t.calls().fill_walled(other, own, add(other), &end);
+            EXPECT_EQ(end - stack.data(), static_cast<std::ptrdiff_t>(freed));
+            for (const TetId* t = stack.data(); t != end; ++t)
+                EXPECT_TRUE(other.tetrahedra[*t].is_dead());
+            taken_slots += taken;
+            freed_slots += freed;
             ASSERT_EQ(own.slot_count, created);
             for (std::size_t k = 0; k < created; ++k)
                 EXPECT_EQ(other.tetrahedra[tetrahedron_of(own.slots.data[k])].n[0], boundary[k]);

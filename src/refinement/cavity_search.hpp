@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The cavity of a point that refinement would insert, and whether it should.
+#pragma once
+
+#include "kernel/kernel.hpp"
+#include "mesh/numbers.hpp"
+#include "refinement/refined_mesh.hpp"
+
+namespace mgdt {
+
+// A point that is to be inserted.
+struct NewPoint {
+    double x[3];
+    double size;        // of edges at the point, as the caller wants it
+    double least2;      // the square of the least distance from a vertex
+    double from_wall2;  // and of a distance from a wall below which the star has to be a gain
+    TetId start;        // a tetrahedron in conflict with the point
+    bool is_on_lattice;
+};
+
+// The search of one thread.
+class CavitySearch {
+  public:
+    explicit CavitySearch(Allocator& allocator)
+        : workspace(allocator), members_(allocator), removed_(allocator) {}
+
+    enum class Outcome : std::uint8_t {
+        found,    // the cavity is in the workspace, and its members are marked
+        refused,  // refusal() says why
+        closed    // the cavity needs a closed tetrahedron
+    };
+    // Finds the cavity of a point. The size of the point may become less.
+    Outcome find(RefinedMesh& mesh, const KernelCalls& kernel, NewPoint& point);
+    Refusal refusal() const noexcept { return refusal_; }
+
+    Workspace workspace;
+
+  private:
+    Refusal judge(const RefinedMesh& mesh, NewPoint& point);
+    bool sees(const Mesh& mesh, FacetCode outside, const double* q) const noexcept;
+    bool sees_all(const Mesh& mesh, const double* q) const noexcept;
+    bool contains(const Mesh& mesh, TetId t, const double* q) const noexcept;
+    Refusal shrink(WalledMesh& mesh, const double* q);
+    bool dig_within_members(const WalledMesh& mesh, TetId first, const double* q);
+    bool keeps_all(const WalledMesh& mesh);
+    Refusal judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept;
+    bool is_near_wall(const WalledMesh& mesh, const NewPoint& point) const noexcept;
+    bool is_gain(const RefinedMesh& mesh, const NewPoint& point) const noexcept;
+
+    Refusal refusal_ = Refusal::none;
+    Numbers members_;
+    Buffer<std::uint8_t> removed_;  // of members: whether the cavity has shrunk from them
+    std::uint32_t vertices_ = 0;    // of the cavity
+};
+
+}  // namespace mgdt

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "refinement/mesh_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "platform/error.hpp"
+#include "refinement/refiner.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double infinite_size = std::numeric_limits<double>::infinity();
+
+ElementBounds bounds_of(const RefinementOptions& options, double scale) {
+    ElementBounds bounds;
+    bounds.radius_edge = options.radius_edge > 0 ? options.radius_edge : infinite_size;
+    bounds.volume = options.volume > 0 ? options.volume * scale * scale * scale : infinite_size;
+    return bounds;
+}
+
+// A lattice for a mesh with one size; no lattice for sizes that vary.
+CubicLattice lattice_for(const Buffer<double>& sizes) {
+    // The mean edge of the lattice is 0.924 steps long.
+    constexpr double steps_per_size = 1.09, off_origin = 0.0123;
+    CubicLattice lattice;
+    double least = infinite_size, most = 0;
+    for (std::size_t v = 1; v < sizes.size(); ++v) {
+        least = std::min(least, sizes[v]);
+        most = std::max(most, sizes[v]);
+    }
+    if (least < most || !(least < infinite_size)) return lattice;
+    lattice.step = steps_per_size * least;
+    // Walls are often where coordinates are round numbers.
+    for (double& x : lattice.origin) x = off_origin * lattice.step;
+    return lattice;
+}
+
+// Refuses sizes that would take more points than there are numbers for.
+void require_possible(const RefinedMesh& mesh, std::size_t most_points) {
+    double wanted = 0;
+    const Mesh& records = mesh.walled.mesh;
+    for (TetId t = 0; t < records.tetrahedra.size(); ++t) {
+        const Tetrahedron& tet = records.tetrahedra[t];
+        if (!tet.is_dead() && !tet.is_ghost()) wanted += mesh.wanted_points(tet.v);
+    }
+    constexpr double most = 0x1p27;  // 2^30 tetrahedra have fewer
+    if (wanted > most && most_points == 0)
+        fail(MGDT_ERR_TOO_LARGE, "the sizes would take about %.2g points", wanted);
+}
+
+}  // namespace
+
+void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWishes& wishes,
+                 Team& team, Allocator& allocator, StageProgress& progress,
+                 RefinementReport& report) {
+    constexpr double begun = 0.1, refined = 0.9;
+    LinkedMesh linked(mesh, team, allocator);
+    RefinementReport made(report.sizes.allocator());
+    if (linked.can_move()) {
+        const double scale = linked.scale();
+        RefinedMesh refined_mesh(linked, team, allocator);
+        refined_mesh.bounds = bounds_of(options, scale);
+        refined_mesh.gradation = options.gradation;
+        progress.enter(0, begun);
+        set_sizes(refined_mesh, mesh, wishes, scale);
+        limit_sizes(refined_mesh, 0, progress);
+        require_possible(refined_mesh, static_cast<std::size_t>(options.most_points));
+        const CubicLattice lattice = lattice_for(refined_mesh.sizes);
+        Refiner refiner(refined_mesh, lattice, default_kernel(), team, allocator);
+        if (options.most_points > 0)
+            refiner.most_points = static_cast<std::size_t>(options.most_points);
+        StageProgress inner = progress.within(begun, refined);
+        refiner.run(inner);
+        // New edges may be shorter than the ways along which sizes were limited.
+        constexpr int most_limits = 10;
+        constexpr double tolerance = 0.05;
+        for (int i = 0; i < most_limits; ++i) {
+            StageProgress quiet = progress.quiet();
+            if (!limit_sizes(refined_mesh, tolerance, quiet)) break;
+            refiner.run(quiet);
+        }
+        made.inserted = refiner.inserted;
+        // The tetrahedra and vertices of the linked mesh, in its order.
+        refined_mesh.walled.write(linked);
+        for (VertexId v = 1; v < refined_mesh.walled.mesh.vertices.size(); ++v)
+            if (WalledMesh::is_used(refined_mesh.walled.mesh.vertices[v])) {
+                const double size = refined_mesh.sizes[v];
+                made.sizes.push_back(size < infinite_size ? size / scale : 0);
+            }
+        for (TetId t = 0; t < refined_mesh.walled.mesh.tetrahedra.size(); ++t) {
+            const Tetrahedron& tet = refined_mesh.walled.mesh.tetrahedra[t];
+            if (tet.is_dead() || tet.is_ghost()) continue;
+            const Verdict& verdict = refined_mesh.verdicts[t];
+            made.refusals.push_back(verdict.is_bad() ? Refusal::no_points_left : verdict.refusal());
+        }
+    } else {
+        made.refusals.resize(linked.tetrahedra.size(), Refusal::none);
+        made.sizes.resize(mesh.points.size() / 3, 0);
+    }
+    SolidMesh result(mesh.points.allocator());
+    Buffer<std::uint32_t> number(allocator);
+    linked.write(mesh, result, number);
+    Buffer<Refusal> sorted(made.refusals.allocator());
+    sorted.resize(made.refusals.size());
+    for (std::size_t t = 0; t < number.size(); ++t) {
+        sorted[number[t]] = made.refusals[t];
+        made.refused += made.refusals[t] != Refusal::none;
+    }
+    progress.enter(refined, 1);
+    progress.report(1);
+    made.refusals = std::move(sorted);
+    made.is_made = true;
+    mesh = std::move(result);
+    report = std::move(made);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A mesh as refinement changes it: in the records of the kernel, with walls.
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "solid/linked_mesh.hpp"
+#include "solid/pair_table.hpp"
+
+namespace mgdt {
+
+// Faces of facets are walls: no cavity grows through them. Behind a face where the mesh ends is a
+// ghost, which no cavity reaches; ghosts are not linked with each other. Vertex v + 1 is point v.
+class WalledMesh {
+  public:
+    WalledMesh(const LinkedMesh& from, Team& team, Allocator& allocator);
+
+    // Writes the vertices and tetrahedra to the linked mesh that this one was made from.
+    void write(LinkedMesh& to) const;
+
+    const double* point(VertexId v) const noexcept { return mesh.point(v); }
+    bool is_wall(FacetCode code) const noexcept {
+        return (walls[tetrahedron_of(code)] >> face_of(code) & 1) != 0;
+    }
+    // Adds vertices that have no tetrahedra yet and are at the origin.
+    void add_vertices(std::size_t count);
+    // Sets the place of such a vertex, whose coordinates are in the normal range.
+    void set_vertex(VertexId v, const double* x) noexcept {
+        for (int k = 0; k < 3; ++k) mesh.vertices[v].x[k] = x[k];
+        mesh.vertices[v].index = v - 1;
+    }
+    // Whether the place of a vertex has been set.
+    static bool is_used(const Vertex& vertex) noexcept { return vertex.index != no_index; }
+    // Makes room for `count` more tetrahedra.
+    void add_slots(std::size_t count);
+
+    Mesh mesh;
+
+    // For each slot: bit i says whether face i is a wall, and sides[4 * slot + i] names its facet
+    // then, as LinkedMesh::Side does. The region is that of a finite tetrahedron.
+    Buffer<std::uint8_t> walls;
+    Buffer<LinkedMesh::Side> sides;
+    Buffer<std::uint32_t> regions;
+
+    // The edges that the mesh keeps and that no wall has.
+    PairTable loose_edges;
+
+  private:
+    void add_ghost(std::uint32_t t, unsigned face);
+    void find_loose_edges(const LinkedMesh& from);
+};
+
+}  // namespace mgdt

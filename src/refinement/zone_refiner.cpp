@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "refinement/zone_refiner.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "predicates/circumcenter.hpp"
+
+namespace mgdt {
+
+void ZoneRefiner::begin_zone(const TetId* begin, const TetId* end) {
+    bad_.clear();
+    for (const TetId* t = begin; t != end; ++t)
+        bad_.add({*t, mesh_.walled.mesh.tetrahedra[*t].v[0]}, mesh_.verdicts[*t].class_of());
+}
+
+// Divides a tetrahedron if it is still there. Returns false if the slots are used up.
+bool ZoneRefiner::divide(const BadTetrahedron& bad, ZoneSupply& supply) {
+    const Mesh& mesh = mesh_.walled.mesh;
+    if (mesh.tetrahedra[bad.slot].v[0] != bad.newest) return true;
+    Verdict& verdict = mesh_.verdicts[bad.slot];
+    NewPoint point;
+    if (!propose(bad.slot, point)) {
+        verdict = Verdict(Refusal::hidden);
+        return true;
+    }
+    switch (search_.find(mesh_, calls_, point)) {
+        case CavitySearch::Outcome::closed:
+            return true;
+        case CavitySearch::Outcome::refused:
+            if (point.is_on_lattice) {
+                verdict.leave_lattice();
+                bad_.add(bad, verdict.class_of());
+            } else {
+                verdict = Verdict(search_.refusal());
+            }
+            return true;
+        case CavitySearch::Outcome::found:
+            break;
+    }
+    Workspace& w = search_.workspace;
+    if (w.boundary_size > w.cavity_size + supply.slots()) {
+        w.restore_cavity(mesh_.walled.mesh.tetrahedra, w.cavity_size);
+        return false;
+    }
+    insert(point, supply);
+    return true;
+}
+
+// Finds the point that is to divide a tetrahedron: its circumcentre, or a point of the lattice.
+// Returns false if that is outside of the mesh.
+bool ZoneRefiner::propose(TetId t, NewPoint& point) const noexcept {
+    const VertexId(&v)[4] = mesh_.walled.mesh.tetrahedra[t].v;
+    const double* const p[4] = {mesh_.walled.point(v[0]), mesh_.walled.point(v[1]),
+                                mesh_.walled.point(v[2]), mesh_.walled.point(v[3])};
+    const ElementShape e = element_of(p[0], p[1], p[2], p[3]);
+    double radius2 = e.radius2;
+    for (int k = 0; k < 3; ++k) point.x[k] = p[0][k] + e.offset.x[k];
+    // Rounding may take the circumcentre of a flat tetrahedron far away.
+    bool is_accurate = radius2 < 16;
+    for (int j = 1; j < 4; ++j) {
+        const Vector<double> d = difference<double>(p[j], point.x);
+        is_accurate = is_accurate && std::fabs(dot(d, d) - radius2) < 0x1p-10 * radius2;
+    }
+    if (!is_accurate) {
+        const Circumcenter exact = circumcenter(p);
+        std::copy_n(exact.x, 3, point.x);
+        radius2 = exact.radius2;
+    }
+    // The mesh is between -1 and 1. Tiny coordinates would be outside of the normal range.
+    for (double& x : point.x) {
+        if (!(std::fabs(x) <= 1)) return false;
+        if (std::fabs(x) < 0x1p-100) x = 0;
+    }
+    const double size = mesh_.mean_size(v);
+    const bool is_large = mesh_.bounds.exceeds_size(e, size);
+    const double least = mesh_.bounds.least_edge * size, near = mesh_.bounds.from_wall * size;
+    point.start = t;
+    point.size = std::numeric_limits<double>::infinity();
+    point.from_wall2 = std::min(near * near, 0.25 * radius2);
+    point.least2 = mesh_.bounds.exceeds_shape(e) ? e.shortest2 : 0.25 * radius2;
+    if (is_large) point.least2 = least * least;
+    point.is_on_lattice = false;
+    if (is_large && lattice_.step > 0 && !mesh_.verdicts[t].leaves_lattice()) {
+        double snapped[3];
+        lattice_.snap(point.x, snapped);
+        const Vector<double> d = difference<double>(snapped, point.x);
+        if (dot(d, d) < 0.9 * radius2) {
+            std::copy_n(snapped, 3, point.x);
+            point.is_on_lattice = true;
+        }
+    }
+    return true;
+}
+
+// Inserts a point whose cavity is in the workspace.
+void ZoneRefiner::insert(const NewPoint& point, ZoneSupply& supply) {
+    WalledMesh& walled = mesh_.walled;
+    Mesh& mesh = walled.mesh;
+    const Workspace& w = search_.workspace;
+    const VertexId vertex = *supply.next_vertex++;
+    ++inserted;
+    walled.set_vertex(vertex, point.x);
+    mesh_.sizes[vertex] = point.size;
+    // Facets of the boundary stay what they are. Slots of the cavity are used again, so this is
+    // read first.
+    const std::size_t n = w.boundary_size;
+    const std::uint32_t region = walled.regions[tetrahedron_of(w.cavity.data[0])];
+    facets_.grow(n);
+    facets_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const FacetCode outside = w.boundary.data[i];
+        const FacetCode inside = mesh.tetrahedra[tetrahedron_of(outside)].n[face_of(outside)];
+        facets_[i] = {walled.is_wall(outside), walled.sides[inside]};
+    }
+    calls_.fill_walled(mesh, search_.workspace, vertex, &supply.slots_end);
+    for (std::size_t i = 0; i < n; ++i) {
+        const TetId t = tetrahedron_of(w.slots.data[i]);
+        walled.walls[t] = facets_[i].is_wall ? 1 : 0;
+        walled.sides[4 * std::size_t{t}] = facets_[i].side;
+        walled.regions[t] = region;
+        const Verdict verdict(mesh_.excess(mesh.tetrahedra[t].v));
+        mesh_.verdicts[t] = verdict;
+        if (verdict.is_bad()) bad_.add({t, vertex}, verdict.class_of());
+    }
+}
+
+}  // namespace mgdt
