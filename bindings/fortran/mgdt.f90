@@ -86,7 +86,10 @@ module mgdt
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
               mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
               mgdt_mesh_option_points, mgdt_mesh_option_mean_passes, &
-              mgdt_mesh_option_most_passes
+              mgdt_mesh_option_most_passes, mgdt_mesh_option_most_points, &
+              mgdt_mesh_option_sizes_of_surface, mgdt_mesh_option_size, &
+              mgdt_mesh_option_gradation, mgdt_mesh_option_radius_edge, mgdt_mesh_option_volume
+    public :: mgdt_sizes_of_points, mgdt_sizes_of_tetrahedra, mgdt_sizes_of_regions
     public :: mgdt_boundary_fixed, mgdt_boundary_slide
     public :: mgdt_points_keep, mgdt_points_move, mgdt_points_remove
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
@@ -98,7 +101,10 @@ module mgdt
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &
               mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity, mgdt_mesh_stat_below_goal, &
-              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points
+              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points, &
+              mgdt_mesh_stat_inserted_points, mgdt_mesh_stat_refused
+    public :: mgdt_refusal_none, mgdt_refusal_hidden, mgdt_refusal_near_point, &
+              mgdt_refusal_near_facet, mgdt_refusal_no_cavity, mgdt_refusal_most_points
     public :: mgdt_reason_none, mgdt_reason_input_angle, mgdt_reason_thin_face, &
               mgdt_reason_fixed_corners, mgdt_reason_other
     public :: mgdt_mesh_array_point_origins, mgdt_mesh_array_tetrahedra, &
@@ -109,7 +115,8 @@ module mgdt
               mgdt_mesh_array_edge_segments, mgdt_mesh_array_edge_markers, &
               mgdt_mesh_array_steiner_edges, mgdt_mesh_array_reasons, &
               mgdt_mesh_array_angle_histogram, mgdt_mesh_array_tetrahedra_below, &
-              mgdt_mesh_array_points, mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes
+              mgdt_mesh_array_refusals, mgdt_mesh_array_points, &
+              mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes, mgdt_mesh_array_sizes
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_option_index_base, mgdt_domain_option_threads, &
               mgdt_domain_option_memory_limit, mgdt_domain_option_round_points, &

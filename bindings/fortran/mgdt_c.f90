@@ -514,6 +514,22 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: value
             integer(c_int32_t) :: status
         end function
+        function c_mesh_set_double_option(m, option, value) result(status) &
+            bind(c, name='mgdt_mesh_set_double_option')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: option
+            real(c_double), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_double_option(m, option, value) result(status) &
+            bind(c, name='mgdt_mesh_get_double_option')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: option
+            real(c_double), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
         function c_mesh_set_progress(m, fn, user) result(status) &
             bind(c, name='mgdt_mesh_set_progress')
             import :: c_funptr, c_int32_t, c_ptr
@@ -542,7 +558,21 @@ module mgdt_c
             real(c_double), intent(in) :: xyz(*)
             integer(c_int32_t) :: status
         end function
+        function c_mesh_set_sizes(m, of, n, sizes) result(status) &
+            bind(c, name='mgdt_mesh_set_sizes')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t), value :: of
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: sizes(*)
+            integer(c_int32_t) :: status
+        end function
         function c_mesh_build(m) result(status) bind(c, name='mgdt_mesh_build')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_refine(m) result(status) bind(c, name='mgdt_mesh_refine')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: m
             integer(c_int32_t) :: status

@@ -316,6 +316,30 @@ module mgdt_constants
     ! first 100. Few of them suffice for most meshes. Exchanges of edges and faces, which come
     ! first, and one pass of moves are not counted. Since 1.4.
     integer, parameter :: mgdt_mesh_option_most_passes = 44
+    ! The most points that one mgdt_mesh_refine() inserts; 0 (at first) for no limit. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_most_points = 45
+    ! 1 if mgdt_mesh_refine() is to take the mean length of the edges of faces at a point, of those
+    ! that the mesh lists, for a size that is wanted there; 0 at first. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_sizes_of_surface = 46
+    ! A double: the length that edges should have everywhere; 0 (at first) for none. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_size = 61
+    ! A double: how fast sizes may grow with the distance, at first 0.3, and less than 1e6: a size
+    ! at one point is at most that at another plus this times their distance. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_gradation = 62
+    ! A double: the most that the radius of a circumsphere should be, in shortest edges of its
+    ! tetrahedron, at first 1.4; 0 for no bound. Since 1.4.
+    integer, parameter :: mgdt_mesh_option_radius_edge = 63
+    ! A double: the most volume that a tetrahedron should have; 0 (at first) for no bound. Since
+    ! 1.4.
+    integer, parameter :: mgdt_mesh_option_volume = 64
+
+    ! Kinds of sizes.
+    ! At each point of the mesh.
+    integer, parameter :: mgdt_sizes_of_points = 0
+    ! In each tetrahedron.
+    integer, parameter :: mgdt_sizes_of_tetrahedra = 1
+    ! In each region.
+    integer, parameter :: mgdt_sizes_of_regions = 2
 
     ! Values of MGUBND.
     ! Faces and edges that the mesh lists stay as they are.
@@ -390,6 +414,25 @@ module mgdt_constants
     integer, parameter :: mgdt_mesh_stat_moved_points = 152
     ! Points that were set and have lost all of their tetrahedra. Since 1.4.
     integer, parameter :: mgdt_mesh_stat_removed_points = 153
+    ! Points that the last mgdt_mesh_refine() has inserted. Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_inserted_points = 160
+    ! Tetrahedra that it has left beyond the sizes and bounds (MGDT_MESH_ARRAY_REFUSALS). Both are 0
+    ! after mgdt_mesh_build() and mgdt_mesh_improve(). Since 1.4.
+    integer, parameter :: mgdt_mesh_stat_refused = 161
+
+    ! Elements of MGUREF.
+    ! It is within the sizes and bounds.
+    integer, parameter :: mgdt_refusal_none = 0
+    ! A face of a facet is between it and the point that would divide it.
+    integer, parameter :: mgdt_refusal_hidden = 1
+    ! That point is too near to another one.
+    integer, parameter :: mgdt_refusal_near_point = 2
+    ! That point is near a facet, and would leave as many tetrahedra beyond the bounds.
+    integer, parameter :: mgdt_refusal_near_facet = 3
+    ! Around that point is no place for tetrahedra with a positive volume.
+    integer, parameter :: mgdt_refusal_no_cavity = 4
+    ! MGDT_MESH_OPTION_MOST_POINTS were inserted.
+    integer, parameter :: mgdt_refusal_most_points = 5
 
     ! Elements of MGUREA.
     ! It reaches the goal.
@@ -451,6 +494,10 @@ module mgdt_constants
     ! Six rows of two numbers, before and after mgdt_mesh_improve(): how many tetrahedra have a
     ! dihedral angle below 5, 10, 15, 20, 25 and 30 degrees. Empty before. Since 1.4.
     integer, parameter :: mgdt_mesh_array_tetrahedra_below = 262
+    ! For each tetrahedron an MGDT_REFUSAL_ value: why mgdt_mesh_refine() has left it beyond the
+    ! sizes and bounds. Empty before, and after mgdt_mesh_build() and mgdt_mesh_improve(). Since
+    ! 1.4.
+    integer, parameter :: mgdt_mesh_array_refusals = 270
     ! Three coordinates of each point: first the points that were set, then the Steiner points.
     integer, parameter :: mgdt_mesh_array_points = 300
     ! For each Steiner point the number t for which it is a + t (b - a); 0 if it is between no two
@@ -460,6 +507,9 @@ module mgdt_constants
     ! dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
     ! Since 1.4.
     integer, parameter :: mgdt_mesh_array_shapes = 320
+    ! For each point the size of edges that mgdt_mesh_refine() has wanted there, or 0 for none.
+    ! Empty when MGDT_MESH_ARRAY_REFUSALS is. Since 1.4.
+    integer, parameter :: mgdt_mesh_array_sizes = 330
 
     ! Kinds.
     integer, parameter :: mgdt_domain_kind_facet = 0

@@ -42,7 +42,9 @@ module mgdt_domain
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
               mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
               mgdt_mesh_option_points, mgdt_mesh_option_mean_passes, &
-              mgdt_mesh_option_most_passes
+              mgdt_mesh_option_most_passes, mgdt_mesh_option_most_points, &
+              mgdt_mesh_option_sizes_of_surface, mgdt_mesh_option_size, &
+              mgdt_mesh_option_gradation, mgdt_mesh_option_radius_edge, mgdt_mesh_option_volume
     public :: mgdt_mesh_stat_points, mgdt_mesh_stat_steiner_points, mgdt_mesh_stat_tetrahedra, &
               mgdt_mesh_stat_regions, mgdt_mesh_stat_faces, mgdt_mesh_stat_edges, &
               mgdt_mesh_stat_memory_bytes, mgdt_mesh_stat_is_rounded, &
@@ -52,7 +54,8 @@ module mgdt_domain
               mgdt_mesh_stat_unused_regions, mgdt_mesh_stat_unused_holes, &
               mgdt_mesh_stat_planar_facets, mgdt_mesh_stat_missing_facets, &
               mgdt_mesh_stat_cavities, mgdt_mesh_stat_largest_cavity, mgdt_mesh_stat_below_goal, &
-              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points
+              mgdt_mesh_stat_passes, mgdt_mesh_stat_moved_points, mgdt_mesh_stat_removed_points, &
+              mgdt_mesh_stat_inserted_points, mgdt_mesh_stat_refused
     public :: mgdt_mesh_array_point_origins, mgdt_mesh_array_tetrahedra, &
               mgdt_mesh_array_neighbors, mgdt_mesh_array_tetrahedron_regions, &
               mgdt_mesh_array_region_markers, mgdt_mesh_array_faces, &
@@ -61,7 +64,8 @@ module mgdt_domain
               mgdt_mesh_array_edge_segments, mgdt_mesh_array_edge_markers, &
               mgdt_mesh_array_steiner_edges, mgdt_mesh_array_reasons, &
               mgdt_mesh_array_angle_histogram, mgdt_mesh_array_tetrahedra_below, &
-              mgdt_mesh_array_points, mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes
+              mgdt_mesh_array_refusals, mgdt_mesh_array_points, &
+              mgdt_mesh_array_steiner_parameters, mgdt_mesh_array_shapes, mgdt_mesh_array_sizes
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
               mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, &

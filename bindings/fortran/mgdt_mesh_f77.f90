@@ -126,6 +126,55 @@ subroutine mgubld(h, ierr)
     ierr = c_mesh_build(handle_of(h, of_mesh))
 end subroutine
 
+! Sizes of edges, SIZES(N), for the next MGURFN: IOF is MGUSPT, MGUSTE or MGUSRE. Since 1.4, as the
+! next three.
+subroutine mgussz(h, iof, n, sizes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: iof
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: sizes(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_mesh_set_sizes(handle_of(h, of_mesh), to_c(iof), int(n, c_int64_t), sizes)
+end subroutine
+
+! Option KEY, MGUSZE to MGUVOL, whose value X is real.
+subroutine mguopr(h, key, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: key
+    real(c_double), intent(in) :: x
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_set_double_option(handle_of(h, of_mesh), to_c(key), x)
+end subroutine
+
+! The value of such an option.
+subroutine mgugor(h, key, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: key
+    real(c_double), intent(inout) :: x
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_get_double_option(handle_of(h, of_mesh), to_c(key), x)
+end subroutine
+
+! Inserts points until the tetrahedra have the wanted sizes and shapes.
+subroutine mgurfn(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_refine(handle_of(h, of_mesh))
+end subroutine
+
 ! Improves the tetrahedra until they reach the goal, or nothing helps.
 subroutine mguimp(h, ierr)
     use mgdt_f77_support
@@ -136,7 +185,7 @@ subroutine mguimp(h, ierr)
     ierr = c_mesh_improve(handle_of(h, of_mesh))
 end subroutine
 
-! Option KEY, MGUBAS to MGUXPA.
+! Option KEY, MGUBAS to MGUSUR, whose value is an integer.
 subroutine mguopt(h, key, ival, ierr)
     use mgdt_f77_support
     implicit none
@@ -213,7 +262,7 @@ subroutine mgunpr(h, ierr)
     ierr = c_mesh_set_progress(handle_of(h, of_mesh), c_null_funptr, c_null_ptr)
 end subroutine
 
-! Stops the running MGUIMP, MGUBLD or MGUCHK, or the next one.
+! Stops the running MGUIMP, MGURFN, MGUBLD or MGUCHK, or the next one.
 subroutine mgucan(h, ierr)
     use mgdt_f77_support
     implicit none
@@ -233,7 +282,7 @@ subroutine mguchk(h, ierr)
     ierr = c_mesh_check(handle_of(h, of_mesh))
 end subroutine
 
-! One of the numbers MGUNPT to MGUNRM.
+! One of the numbers MGUNPT to MGUNRF.
 subroutine mgunum(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -262,7 +311,7 @@ subroutine mguinf(key, ncol, ireal, ierr)
     ireal = is_double
 end subroutine
 
-! Number of elements N of array KEY, MGUORI to MGUSHA.
+! Number of elements N of array KEY, MGUORI to MGUSZS.
 subroutine mgusiz(h, key, n, ierr)
     use mgdt_f77_support
     implicit none
@@ -276,7 +325,7 @@ subroutine mgusiz(h, key, n, ierr)
     if (ierr == mgdt_ok) call store_count(found, handle_of(h, of_mesh), n, ierr)
 end subroutine
 
-! Array KEY of integers, MGUORI to MGUBEL: IARR(MAXN).
+! Array KEY of integers, MGUORI to MGUREF: IARR(MAXN).
 subroutine mguarr(h, key, maxn, iarr, ierr)
     use mgdt_f77_support
     implicit none
@@ -290,7 +339,7 @@ subroutine mguarr(h, key, maxn, iarr, ierr)
     ierr = c_mesh_get_array(handle_of(h, of_mesh), to_c(key), int(maxn, c_int64_t), iarr)
 end subroutine
 
-! Array KEY of reals, MGUPTS, MGUSPA or MGUSHA: X(MAXN).
+! Array KEY of reals, MGUPTS, MGUSPA, MGUSHA or MGUSZS: X(MAXN).
 subroutine mgudbl(h, key, maxn, x, ierr)
     use mgdt_f77_support
     implicit none

@@ -9,7 +9,7 @@
 %
 % points      n x 3 matrix
 % tetrahedra  m x 4 matrix of rows of points; the corners may have any order
-% mesh        a struct of this function or of mgdt_domain_mesh, in place of both
+% mesh        a struct of this function, of mgdt_refine or of mgdt_domain_mesh, in place of both
 %
 % NAME and VALUE:
 %
@@ -38,46 +38,19 @@
 % Errors: mgdt:invalid_argument (what is no mesh, with the numbers of what is wrong), mgdt:not_finite,
 % mgdt:cancelled, mgdt:out_of_memory.
 %
-% See also: mgdt_domain_mesh
+% See also: mgdt_domain_mesh, mgdt_refine
 function mesh = mgdt_improve (points, varargin)
   if (nargin < 1 || (! isstruct (points) && nargin < 2))
     print_usage ();
   end
-  given = struct ("markers", [], "faces", [], "face_markers", [], "edges", [], "edge_markers", [], ...
-                  "fixed", [], "goal", 25, "boundary", "fixed", "keep", "numbers", "mean_passes", 0, ...
-                  "most_passes", 100, "threads", 1, "memory_limit", 0, "progress", [], "check", false);
-  if (isstruct (points))
-    before = points;
-    points = before.points;
-    tetrahedra = before.tetrahedra;
-    given.markers = before.region_markers(before.tetrahedron_regions);
-    % Faces without a tetrahedron belong to no mesh.
-    is_at_one = any (before.face_tetrahedra > 0, 2);
-    given.faces = before.faces(is_at_one,:);
-    given.face_markers = before.face_markers(is_at_one);
-    given.edges = before.edges(before.edge_segments > 0,:);
-    given.edge_markers = before.edge_markers(before.edge_segments > 0);
-    settings = varargin;
-  else
-    tetrahedra = varargin{1};
-    settings = varargin(2:end);
-  end
-  if (mod (numel (settings), 2) != 0)
-    error ("mgdt:invalid_argument", "mgdt: a setting has no value");
-  end
-  for k = 1:2:numel (settings)
-    if (! ischar (settings{k}) || ! isfield (given, settings{k}))
-      error ("mgdt:unknown_key", "mgdt: settings of an improvement are %s", strjoin (fieldnames (given)', ", "));
-    end
-    given.(settings{k}) = settings{k + 1};
-  end
+  own = struct ("fixed", [], "goal", 25, "boundary", "fixed", "keep", "numbers", "mean_passes", 0, "most_passes", 100);
+  [items, given] = mgdt_mesh_settings (points, varargin, own, "an improvement");
   number = @(value, names) find (strcmp (value, names)) - 1;
   boundary = number (given.boundary, {"fixed", "slide"});
   keep = number (given.keep, {"all", "numbers", "none"});
   if (isempty (boundary) || isempty (keep))
     error ("mgdt:invalid_argument", "mgdt: boundary is \"fixed\" or \"slide\"; keep is \"all\", \"numbers\" or \"none\"");
   end
-  items = mgdt_mesh_items (points, tetrahedra, given);
   mesh = mgdt_mex ("improve", items{:}, double (given.fixed(:)), given.goal, boundary, keep, given.mean_passes, ...
                    given.most_passes, given.progress, double (given.check));
 end

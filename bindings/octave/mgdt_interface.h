@@ -114,6 +114,8 @@
     F(mesh_destroy);                   \
     F(mesh_set_option);                \
     F(mesh_get_option);                \
+    F(mesh_set_double_option);         \
+    F(mesh_get_double_option);         \
     F(mesh_set_progress);              \
     F(mesh_get_progress);              \
     F(mesh_cancel);                    \
@@ -126,7 +128,9 @@
     F(mesh_set_edges_i32);             \
     F(mesh_set_fixed_points);          \
     F(mesh_set_fixed_points_i32);      \
+    F(mesh_set_sizes);                 \
     F(mesh_build);                     \
+    F(mesh_refine);                    \
     F(mesh_improve);                   \
     F(mesh_get_stat);                  \
     F(mesh_array_info);                \

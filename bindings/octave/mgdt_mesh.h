@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Domains and meshes: what mgdt_domain_mesh.m, mgdt_improve.m, mgdt_mesh_places.m and
- * mgdt_offending_pairs.m call. */
+ * Domains and meshes: what mgdt_domain_mesh.m, mgdt_refine.m, mgdt_improve.m, mgdt_mesh_places.m
+ * and mgdt_offending_pairs.m call. */
 #ifndef MGDT_OCTAVE_MESH_H
 #define MGDT_OCTAVE_MESH_H
 
@@ -175,7 +175,9 @@ static mxArray* struct_of_mesh(int has_domain) {
                   {"reasons", MGDT_MESH_ARRAY_REASONS},
                   {"angle_histogram", MGDT_MESH_ARRAY_ANGLE_HISTOGRAM},
                   {"tetrahedra_below", MGDT_MESH_ARRAY_TETRAHEDRA_BELOW},
-                  {"shapes", MGDT_MESH_ARRAY_SHAPES}};
+                  {"shapes", MGDT_MESH_ARRAY_SHAPES},
+                  {"refusals", MGDT_MESH_ARRAY_REFUSALS},
+                  {"sizes", MGDT_MESH_ARRAY_SIZES}};
     enum { n_arrays = sizeof arrays / sizeof *arrays };
     const char* names[n_arrays + 4];
     int64_t is_rounded = 0, n = 0;
@@ -267,37 +269,18 @@ static void make_mesh(const mxArray* const* given) {
     ensure_mesh(mgdt.mesh_build(mesh));
 }
 
-/* The improvement of a mesh. After the arguments of make_mesh(): fixed points, goal, boundary, what
- * happens to points, mean passes, most passes, a progress function or [], and whether to check. */
-static mxArray* improved_mesh(int count, const mxArray* const* given) {
-    static const int32_t keys[] = {MGDT_MESH_OPTION_GOAL, MGDT_MESH_OPTION_BOUNDARY,
-                                   MGDT_MESH_OPTION_POINTS, MGDT_MESH_OPTION_MEAN_PASSES,
-                                   MGDT_MESH_OPTION_MOST_PASSES};
-    enum { n_keys = sizeof keys / sizeof *keys, first_key = mesh_items + 1 };
-    static const char* const names[n_keys] = {"goal", "boundary", "keep", "mean_passes",
-                                              "most_passes"};
-    int32_t values[n_keys];
+/* Changes the mesh, which is checked then if that is wanted, and returns it as a struct. */
+static mxArray* changed_mesh(mgdt_status (*change)(mgdt_mesh*), const mxArray* function,
+                             int is_checked) {
     progress p = {NULL, NULL};
-    const int64_t* fixed;
-    int64_t n_fixed;
-    const mxArray* function;
-    int is_checked, k;
     mxArray* result;
     mgdt_status status;
-    if (count < first_key + n_keys + 2) bad_argument("a mesh needs more arguments");
-    fixed = whole_numbers(given[mesh_items], "fixed", &n_fixed);
-    for (k = 0; k < n_keys; ++k) values[k] = small(given[first_key + k], names[k]);
-    function = given[first_key + n_keys];
-    is_checked = number(given[first_key + n_keys + 1], "check") != 0;
-    make_mesh(given);
-    ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
-    for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
     if (!mxIsEmpty(function)) {
         p.function = mxDuplicateArray(function);
         mgdt.mesh_set_progress(mesh, report, &p);
     }
     domain_is_busy = 1;
-    status = mgdt.mesh_improve(mesh);
+    status = change(mesh);
     domain_is_busy = 0;
     mgdt.mesh_set_progress(mesh, NULL, NULL);
     if (p.problem) {
@@ -309,6 +292,70 @@ static mxArray* improved_mesh(int count, const mxArray* const* given) {
     result = struct_of_mesh(0);
     close_domain();
     return result;
+}
+
+/* The improvement of a mesh. After the arguments of make_mesh(): fixed points, goal, boundary, what
+ * happens to points, mean passes, most passes, a progress function or [], and whether to check. */
+static mxArray* improved_mesh(int count, const mxArray* const* given) {
+    static const int32_t keys[] = {MGDT_MESH_OPTION_GOAL, MGDT_MESH_OPTION_BOUNDARY,
+                                   MGDT_MESH_OPTION_POINTS, MGDT_MESH_OPTION_MEAN_PASSES,
+                                   MGDT_MESH_OPTION_MOST_PASSES};
+    enum { n_keys = sizeof keys / sizeof *keys, first_key = mesh_items + 1 };
+    static const char* const names[n_keys] = {"goal", "boundary", "keep", "mean_passes",
+                                              "most_passes"};
+    int32_t values[n_keys];
+    const int64_t* fixed;
+    int64_t n_fixed;
+    const mxArray* function;
+    int is_checked, k;
+    if (count < first_key + n_keys + 2) bad_argument("a mesh needs more arguments");
+    fixed = whole_numbers(given[mesh_items], "fixed", &n_fixed);
+    for (k = 0; k < n_keys; ++k) values[k] = small(given[first_key + k], names[k]);
+    function = given[first_key + n_keys];
+    is_checked = number(given[first_key + n_keys + 1], "check") != 0;
+    make_mesh(given);
+    ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
+    for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
+    return changed_mesh(mgdt.mesh_improve, function, is_checked);
+}
+
+/* Sizes that a mesh takes, or [] for none. */
+static void set_sizes(int32_t of, const mxArray* a) {
+    const int64_t n = (int64_t)mxGetNumberOfElements(a);
+    if (n > 0 && !mxIsDouble(a)) bad_argument("sizes are numbers");
+    ensure_mesh(mgdt.mesh_set_sizes(mesh, of, n, n > 0 ? mxGetPr(a) : NULL));
+}
+
+/* The refinement of a mesh. After the arguments of make_mesh(): sizes of points, tetrahedra and
+ * regions, the size everywhere, gradation, radius-edge ratio, volume, most points, whether sizes
+ * are those of the surface, a progress function or [], and whether to check. */
+static mxArray* refined_mesh(int count, const mxArray* const* given) {
+    static const struct {
+        const char* name;
+        int32_t key;
+    } doubles[] = {{"size", MGDT_MESH_OPTION_SIZE},
+                   {"gradation", MGDT_MESH_OPTION_GRADATION},
+                   {"radius_edge", MGDT_MESH_OPTION_RADIUS_EDGE},
+                   {"volume", MGDT_MESH_OPTION_VOLUME}};
+    enum { n_doubles = sizeof doubles / sizeof *doubles, first_double = mesh_items + 3 };
+    double values[n_doubles];
+    int32_t most_points, of_surface;
+    const mxArray* const* const last = given + first_double + n_doubles;
+    int is_checked, k;
+    if (count < first_double + n_doubles + 4) bad_argument("a mesh needs more arguments");
+    for (k = 0; k < n_doubles; ++k) values[k] = number(given[first_double + k], doubles[k].name);
+    most_points = small(last[0], "most_points");
+    of_surface = small(last[1], "sizes_of_surface");
+    is_checked = number(last[3], "check") != 0;
+    make_mesh(given);
+    set_sizes(MGDT_SIZES_OF_POINTS, given[mesh_items]);
+    set_sizes(MGDT_SIZES_OF_TETRAHEDRA, given[mesh_items + 1]);
+    set_sizes(MGDT_SIZES_OF_REGIONS, given[mesh_items + 2]);
+    for (k = 0; k < n_doubles; ++k)
+        ensure_mesh(mgdt.mesh_set_double_option(mesh, doubles[k].key, values[k]));
+    ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_MOST_POINTS, most_points));
+    ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_SIZES_OF_SURFACE, of_surface));
+    return changed_mesh(mgdt.mesh_refine, last[2], is_checked);
 }
 
 /* Tetrahedra and weights of places in a mesh, and values there. After the arguments of make_mesh():

@@ -564,6 +564,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         mesh_places(nlhs, plhs, nrhs - 1, prhs + 1);
         return;
     }
+    if (strcmp(command, "refine") == 0) {
+        plhs[0] = refined_mesh(nrhs - 1, prhs + 1);
+        return;
+    }
     if (strcmp(command, "improve") == 0) {
         plhs[0] = improved_mesh(nrhs - 1, prhs + 1);
         return;

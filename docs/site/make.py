@@ -16,8 +16,8 @@ import sys
 from pathlib import Path
 
 # In the order of the menu.
-THEORY = ["predicates", "triangulation", "cells", "values", "domains", "improving", "boxes", "parts"]
-DOCUMENTS = ["README", "installation", "periodic", "mesh", "improvement", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
+THEORY = ["predicates", "triangulation", "cells", "values", "domains", "improving", "refining", "boxes", "parts"]
+DOCUMENTS = ["README", "installation", "periodic", "mesh", "refinement", "improvement", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
              "performance", "trust", "theory", *(f"theory/{name}" for name in THEORY), "paper", "architecture", "files", "glossary", "experiments", "security", "abi",
              "contributing", "changelog"]
 FENCE = re.compile(r"^ *(`{3,})(.*)$")

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * A mesh of tetrahedra. mgdt_domain_build() makes one of a domain (mgdt_domain.h), and
- * mgdt_mesh_build() of tetrahedra that the caller has. mgdt_mesh_improve() makes the shapes of
- * tetrahedra better; the other functions read the mesh.
+ * mgdt_mesh_build() of tetrahedra that the caller has. mgdt_mesh_refine() inserts points where
+ * sizes want them, and mgdt_mesh_improve() makes the shapes of tetrahedra better; the other
+ * functions read the mesh.
  *
  * A mesh of a domain is a snapshot: it does not change with the domain that it was made from, and
  * outlives it. It takes its memory from the functions of that domain, has the same memory limit for
@@ -23,8 +24,8 @@
  * segments exactly.
  *
  * The mesh is a function of the points, facets and segments: the order of the facets and the number
- * of threads do not change it. An improved mesh is a function of the mesh before and the options,
- * to the last bit.
+ * of threads do not change it. A refined or improved mesh is a function of the mesh before, the
+ * sizes and the options, to the last bit.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
  * ranges of keys, the thread rule.
@@ -44,7 +45,8 @@ extern "C" {
  */
 typedef struct mgdt_mesh mgdt_mesh;
 
-/** Options of mgdt_mesh_set_option(). Values are integers. */
+/** Options of mgdt_mesh_set_option(), whose values are integers, and, where that is said, of
+ *  mgdt_mesh_set_double_option(), whose values are doubles. */
 enum {
     /** 0 or 1, at first that of the domain, or 0. It applies to indices that are passed later. */
     MGDT_MESH_OPTION_INDEX_BASE = 10,
@@ -70,7 +72,32 @@ enum {
     /** The most passes of mgdt_mesh_improve() over the tetrahedra below the goal, from 0 to 10000,
      *  at first 100. Few of them suffice for most meshes. Exchanges of edges and faces, which come
      *  first, and one pass of moves are not counted. Since 1.4. */
-    MGDT_MESH_OPTION_MOST_PASSES = 44
+    MGDT_MESH_OPTION_MOST_PASSES = 44,
+    /** The most points that one mgdt_mesh_refine() inserts; 0 (at first) for no limit. Since 1.4.
+     */
+    MGDT_MESH_OPTION_MOST_POINTS = 45,
+    /** 1 if mgdt_mesh_refine() is to take the mean length of the edges of faces at a point, of
+     *  those that the mesh lists, for a size that is wanted there; 0 at first. Since 1.4. */
+    MGDT_MESH_OPTION_SIZES_OF_SURFACE = 46,
+    /** A double: the length that edges should have everywhere; 0 (at first) for none. Since 1.4. */
+    MGDT_MESH_OPTION_SIZE = 61,
+    /** A double: how fast sizes may grow with the distance, at first 0.3, and less than 1e6: a size
+     *  at one point is at most that at another plus this times their distance. Since 1.4. */
+    MGDT_MESH_OPTION_GRADATION = 62,
+    /** A double: the most that the radius of a circumsphere should be, in shortest edges of its
+     *  tetrahedron, at first 1.4; 0 for no bound. Since 1.4. */
+    MGDT_MESH_OPTION_RADIUS_EDGE = 63,
+    /** A double: the most volume that a tetrahedron should have; 0 (at first) for no bound. Since
+     *  1.4. */
+    MGDT_MESH_OPTION_VOLUME = 64
+};
+
+/** What mgdt_mesh_set_sizes() sets sizes of.
+ *  @since 1.4 */
+enum {
+    MGDT_SIZES_OF_POINTS = 0,     /**< At each point of the mesh. */
+    MGDT_SIZES_OF_TETRAHEDRA = 1, /**< In each tetrahedron. */
+    MGDT_SIZES_OF_REGIONS = 2     /**< In each region. */
 };
 
 /** Values of MGDT_MESH_OPTION_BOUNDARY.
@@ -139,7 +166,26 @@ enum {
     MGDT_MESH_STAT_PASSES = 151,       /**< Passes over tetrahedra below the goal. Since 1.4. */
     MGDT_MESH_STAT_MOVED_POINTS = 152, /**< Points that were set and have moved. Since 1.4. */
     /** Points that were set and have lost all of their tetrahedra. Since 1.4. */
-    MGDT_MESH_STAT_REMOVED_POINTS = 153
+    MGDT_MESH_STAT_REMOVED_POINTS = 153,
+    /** Points that the last mgdt_mesh_refine() has inserted. Since 1.4. */
+    MGDT_MESH_STAT_INSERTED_POINTS = 160,
+    /** Tetrahedra that it has left beyond the sizes and bounds (MGDT_MESH_ARRAY_REFUSALS). Both are
+     *  0 after mgdt_mesh_build() and mgdt_mesh_improve(). Since 1.4. */
+    MGDT_MESH_STAT_REFUSED = 161
+};
+
+/** Elements of MGDT_MESH_ARRAY_REFUSALS: why mgdt_mesh_refine() has not divided a tetrahedron.
+ *  @since 1.4 */
+enum {
+    MGDT_REFUSAL_NONE = 0, /**< It is within the sizes and bounds. */
+    /** A face of a facet is between it and the point that would divide it. */
+    MGDT_REFUSAL_HIDDEN = 1,
+    MGDT_REFUSAL_NEAR_POINT = 2, /**< That point is too near to another one. */
+    /** That point is near a facet, and would leave as many tetrahedra beyond the bounds. */
+    MGDT_REFUSAL_NEAR_FACET = 3,
+    /** Around that point is no place for tetrahedra with a positive volume. */
+    MGDT_REFUSAL_NO_CAVITY = 4,
+    MGDT_REFUSAL_MOST_POINTS = 5 /**< MGDT_MESH_OPTION_MOST_POINTS were inserted. */
 };
 
 /** Elements of MGDT_MESH_ARRAY_REASONS: why a tetrahedron is below the goal. Where several apply,
@@ -205,6 +251,10 @@ enum {
     /** Six rows of two numbers, before and after mgdt_mesh_improve(): how many tetrahedra have a
      *  dihedral angle below 5, 10, 15, 20, 25 and 30 degrees. Empty before. Since 1.4. */
     MGDT_MESH_ARRAY_TETRAHEDRA_BELOW = 262,
+    /** For each tetrahedron an MGDT_REFUSAL_ value: why mgdt_mesh_refine() has left it beyond the
+     *  sizes and bounds. Empty before, and after mgdt_mesh_build() and mgdt_mesh_improve(). Since
+     *  1.4. */
+    MGDT_MESH_ARRAY_REFUSALS = 270,
     /** Three coordinates of each point: first the points that were set, then the Steiner points. */
     MGDT_MESH_ARRAY_POINTS = 300,
     /** For each Steiner point the number t for which it is a + t (b - a); 0 if it is between no two
@@ -213,7 +263,10 @@ enum {
     /** Three rows of two numbers, before and after mgdt_mesh_improve(): the least and the largest
      *  dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
      *  Since 1.4. */
-    MGDT_MESH_ARRAY_SHAPES = 320
+    MGDT_MESH_ARRAY_SHAPES = 320,
+    /** For each point the size of edges that mgdt_mesh_refine() has wanted there, or 0 for none.
+     *  Empty when MGDT_MESH_ARRAY_REFUSALS is. Since 1.4. */
+    MGDT_MESH_ARRAY_SIZES = 330
 };
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -248,9 +301,19 @@ MGDT_API mgdt_status mgdt_mesh_set_option(mgdt_mesh* m, int32_t option, int64_t 
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_mesh_get_option(const mgdt_mesh* m, int32_t option, int64_t* value);
 
-/** Sets the callback that receives the progress of mgdt_mesh_build(), mgdt_mesh_improve(),
- *  mgdt_mesh_check() and the calls that measure, summarize, locate and interpolate, and may cancel
- *  them, as that of mgdt_set_progress() does.
+/** Sets an option whose value is a double.
+ *  @param option  an MGDT_MESH_OPTION_ value that documents a double
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_double_option(mgdt_mesh* m, int32_t option, double value);
+/** The value of an option that is a double.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_get_double_option(const mgdt_mesh* m, int32_t option, double* value);
+
+/** Sets the callback that receives the progress of mgdt_mesh_build(), mgdt_mesh_refine(),
+ *  mgdt_mesh_improve(), mgdt_mesh_check() and the calls that measure, summarize, locate and
+ *  interpolate, and may cancel them, as that of mgdt_set_progress() does.
  *  @param fn    the callback; NULL for none (default)
  *  @param user  passed to the callback
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -339,6 +402,18 @@ MGDT_API mgdt_status mgdt_mesh_set_fixed_points(mgdt_mesh* m, int64_t n, const i
  *  @since 1.4 */
 MGDT_API mgdt_status mgdt_mesh_set_fixed_points_i32(mgdt_mesh* m, int64_t n, const int32_t* points);
 
+/** Sets sizes of edges for the next mgdt_mesh_refine(), in place of those that were set of the
+ *  same. They are copied. Those of points and tetrahedra are removed when the mesh changes, since
+ *  these have other numbers then; those of regions stay until mgdt_mesh_build(). A call that
+ *  fails changes nothing.
+ *  @param of     an MGDT_SIZES_ value
+ *  @param n      the number of points, tetrahedra or regions of the mesh; or 0 to remove sizes
+ *  @param sizes  n sizes, at least 0; 0 and infinity stand for none
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY (of), MGDT_ERR_INVALID_ARGUMENT
+ *  (n, or a size that is negative or no number; the message names it), MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_sizes(mgdt_mesh* m, int32_t of, int64_t n, const double* sizes);
+
 /* ------------------------------------------------------------------------------ build --- */
 
 /** Makes the mesh of what was set, in place of the one that there is, and gives the memory of what
@@ -356,6 +431,31 @@ MGDT_API mgdt_status mgdt_mesh_set_fixed_points_i32(mgdt_mesh* m, int64_t n, con
  *  set twice; the message has the numbers), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.4 */
 MGDT_API mgdt_status mgdt_mesh_build(mgdt_mesh* m);
+
+/** Inserts points until the tetrahedra have the wanted sizes and shapes: until no circumsphere
+ *  has a radius above 0.8 times the size of edges, which is the mean of those at the corners, or
+ *  above MGDT_MESH_OPTION_RADIUS_EDGE times the shortest edge, and no volume is above
+ *  MGDT_MESH_OPTION_VOLUME. The size at a point is the least one that is set for it, by
+ *  MGDT_MESH_OPTION_SIZE, MGDT_MESH_OPTION_SIZES_OF_SURFACE and mgdt_mesh_set_sizes(), where a
+ *  tetrahedron or a region sets those of its corners; MGDT_MESH_OPTION_GRADATION limits how fast
+ *  sizes grow. Between points, sizes are interpolated.
+ *
+ *  The boundary stays: faces and edges that the mesh lists, regions and markers. New points are
+ *  inside of the domain. They are Steiner points, which come after the others. All tetrahedra
+ *  have a positive volume, exactly. Where edges of facets are longer or shorter than the sizes
+ *  want, or angles between facets are small, tetrahedra stay beyond the bounds:
+ *  MGDT_MESH_STAT_REFUSED counts them, and MGDT_MESH_ARRAY_REFUSALS says why. The call always
+ *  ends: new points keep a distance from others, and near facets each one lessens the number of
+ *  tetrahedra beyond the bounds (docs/theory.md, "Refining meshes"). mgdt_mesh_improve() is the
+ *  next step, which removes flat tetrahedra; it moves and removes points of the refinement.
+ *  docs/refinement.md has examples.
+ *
+ *  The result does not depend on the number of threads. A call that fails or is cancelled leaves
+ *  the mesh as it was.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_TOO_LARGE (such as for sizes that would take
+ *  more than 2^27 points), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_refine(mgdt_mesh* m);
 
 /** Improves the shapes of the tetrahedra until all reach the goal, or nothing helps any more:
  *  exchanges edges and faces, moves points, contracts edges and inserts points, as the options

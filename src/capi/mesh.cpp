@@ -46,6 +46,8 @@ constexpr IntegerStatistic<Object> statistics[] = {
     {MGDT_MESH_STAT_PASSES, [](const Object& m) { return m.value.report.passes; }},
     {MGDT_MESH_STAT_MOVED_POINTS, [](const Object& m) { return m.value.report.moved_points; }},
     {MGDT_MESH_STAT_REMOVED_POINTS, [](const Object& m) { return m.value.report.removed_points; }},
+    {MGDT_MESH_STAT_INSERTED_POINTS, [](const Object& m) { return m.value.refinement.inserted; }},
+    {MGDT_MESH_STAT_REFUSED, [](const Object& m) { return m.value.refinement.refused; }},
 };
 
 // Pairs of numbers, before and after the last improvement: of(summary, i) for i below n. None if
@@ -62,6 +64,15 @@ auto reasons(const MeshState& m) {
     return computed_each(m.report.reasons.size(), [&m](std::size_t t) {
         return static_cast<std::int32_t>(m.report.reasons[t]);
     });
+}
+auto refusals(const MeshState& m) {
+    return computed_each(m.refinement.refusals.size(), [&m](std::size_t t) {
+        return static_cast<std::int32_t>(m.refinement.refusals[t]);
+    });
+}
+auto sizes(const MeshState& m) {
+    return computed_each(m.refinement.sizes.size(),
+                         [&m](std::size_t v) { return m.refinement.sizes[v]; });
 }
 // Rows of a summary.
 constexpr std::size_t n_shapes = 3;
@@ -103,9 +114,11 @@ constexpr auto arrays = std::make_tuple(
     array<Element::integer>(MGDT_MESH_ARRAY_REASONS, 1, reasons),
     array<Element::integer>(MGDT_MESH_ARRAY_ANGLE_HISTOGRAM, 2, angle_histogram),
     array<Element::integer>(MGDT_MESH_ARRAY_TETRAHEDRA_BELOW, 2, tetrahedra_below),
+    array<Element::integer>(MGDT_MESH_ARRAY_REFUSALS, 1, refusals),
     array<Element::real>(MGDT_MESH_ARRAY_POINTS, 3, &M::points),
     array<Element::real>(MGDT_MESH_ARRAY_STEINER_PARAMETERS, 1, &M::steiner_parameters),
-    array<Element::real>(MGDT_MESH_ARRAY_SHAPES, 2, shapes));
+    array<Element::real>(MGDT_MESH_ARRAY_SHAPES, 2, shapes),
+    array<Element::real>(MGDT_MESH_ARRAY_SIZES, 1, sizes));
 
 }  // namespace of_mesh
 
@@ -114,7 +127,16 @@ const OwnOptions<MeshSettings> mesh_options = {
     {MGDT_MESH_OPTION_BOUNDARY, &MeshSettings::slides},
     {MGDT_MESH_OPTION_POINTS, &MeshSettings::points, MGDT_POINTS_REMOVE},
     {MGDT_MESH_OPTION_MEAN_PASSES, &MeshSettings::mean_passes, MeshSettings::largest_mean_passes},
-    {MGDT_MESH_OPTION_MOST_PASSES, &MeshSettings::most_passes, MeshSettings::largest_most_passes}};
+    {MGDT_MESH_OPTION_MOST_PASSES, &MeshSettings::most_passes, MeshSettings::largest_most_passes},
+    {MGDT_MESH_OPTION_MOST_POINTS, &MeshSettings::most_points,
+     std::numeric_limits<std::int32_t>::max()},
+    {MGDT_MESH_OPTION_SIZES_OF_SURFACE, &MeshSettings::sizes_of_surface}};
+
+constexpr DoubleOption<MeshSettings> double_options[] = {
+    {MGDT_MESH_OPTION_SIZE, &MeshSettings::size, MeshSettings::bound},
+    {MGDT_MESH_OPTION_GRADATION, &MeshSettings::gradation, MeshSettings::gradation_bound},
+    {MGDT_MESH_OPTION_RADIUS_EDGE, &MeshSettings::radius_edge, MeshSettings::bound},
+    {MGDT_MESH_OPTION_VOLUME, &MeshSettings::volume, MeshSettings::bound}};
 
 // See entry_points.hpp.
 struct MeshResults {
@@ -128,6 +150,7 @@ struct MeshResults {
 
 MGDT_LIFE(mesh)
 MGDT_OPTIONS(mesh, mesh_options)
+MGDT_DOUBLE_OPTIONS(mesh, double_options)
 MGDT_PROGRESS(mesh)
 MGDT_RESULTS(mesh, MeshResults)
 MGDT_DOUBLES(mesh, MeshResults)

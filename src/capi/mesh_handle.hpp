@@ -6,6 +6,7 @@
 #include "improvement/mesh_improvement.hpp"
 #include "mgdt/mgdt_mesh.h"
 #include "platform/cached.hpp"
+#include "refinement/mesh_refinement.hpp"
 #include "solid/boundary_places.hpp"
 #include "solid/given_mesh.hpp"
 #include "solid/mesh_locator.hpp"
@@ -13,7 +14,7 @@
 
 namespace mgdt {
 
-struct MeshSettings : CallSettings, ImprovementOptions {};
+struct MeshSettings : CallSettings, ImprovementOptions, RefinementOptions {};
 
 // A mesh, and what its handle has beside it.
 struct MeshState : SolidMesh {
@@ -21,6 +22,8 @@ struct MeshState : SolidMesh {
         : SolidMesh(allocator),
           fixed_points(allocator),
           report(allocator),
+          wishes(allocator),
+          refinement(allocator),
           locator(allocator),
           boundary_places(allocator),
           input(allocator),
@@ -33,6 +36,13 @@ struct MeshState : SolidMesh {
     void forget_places() noexcept {
         locator.forget();
         boundary_places.forget();
+    }
+    // What is known of points and tetrahedra by their numbers, which change.
+    void forget_numbers() noexcept {
+        forget_places();
+        wishes.of_points.reset();
+        wishes.of_tetrahedra.reset();
+        refinement.clear();
     }
     void clear_input() noexcept {
         has_input = false;
@@ -47,6 +57,8 @@ struct MeshState : SolidMesh {
 
     Buffer<std::uint32_t> fixed_points;  // of this mesh
     ImprovementReport report;            // of its last improvement
+    SizeWishes wishes;                   // for its next refinement
+    RefinementReport refinement;         // of its last one, unless the mesh has changed since
     // What finds places; forgotten when the mesh changes.
     mutable Cached<MeshLocator> locator;
     mutable Cached<BoundaryPlaces> boundary_places;

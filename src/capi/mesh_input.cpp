@@ -75,7 +75,8 @@ void build(MeshObject& m, StageProgress& progress) {
     SolidMesh made(m.allocator());
     Team team(thread_count(m.settings()));
     link_mesh(state.input, m.settings().index_base, team, m.allocator(), progress, made);
-    state.forget_places();
+    state.forget_numbers();
+    state.wishes.of_regions.reset();
     static_cast<SolidMesh&>(state) = std::move(made);
     state.fixed_points = std::move(state.fixed_input_points);
     state.report.clear();
@@ -84,9 +85,47 @@ void build(MeshObject& m, StageProgress& progress) {
 
 void improve(MeshObject& m, StageProgress& progress) {
     Team team(thread_count(m.settings()));
-    m.value.forget_places();
+    m.value.forget_numbers();
     improve_mesh(m.value, m.settings(), m.value.fixed_points, team, m.allocator(), progress,
                  m.value.report);
+}
+
+void set_sizes(MeshObject& m, std::int32_t of, std::int64_t n, const double* sizes) {
+    MeshState& state = m.value;
+    const struct {
+        Buffer<double>& to;
+        std::size_t count;
+        const char* what;
+    } kinds[] = {{state.wishes.of_points, state.points.size() / 3, "points"},
+                 {state.wishes.of_tetrahedra, state.tetrahedron_count(), "tetrahedra"},
+                 {state.wishes.of_regions, state.region_markers.size(), "regions"}};
+    if (of < MGDT_SIZES_OF_POINTS || of > MGDT_SIZES_OF_REGIONS)
+        fail(MGDT_ERR_UNKNOWN_KEY, "there are no sizes of kind %d", static_cast<int>(of));
+    const auto& kind = kinds[of];
+    if (n != 0 && (n < 0 || static_cast<std::uint64_t>(n) != kind.count))
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%lld sizes of %s, of which there are %llu",
+             static_cast<long long>(n), kind.what, static_cast<unsigned long long>(kind.count));
+    if (n > 0) require_pointer(sizes, "sizes");
+    const auto count = static_cast<std::size_t>(n);
+    Buffer<double> copy(m.allocator());
+    copy.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!(sizes[i] >= 0))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "size %lld is %g",
+                 static_cast<long long>(i) + m.settings().index_base, sizes[i]);
+        copy[i] = sizes[i];
+    }
+    kind.to = std::move(copy);
+}
+
+void refine(MeshObject& m, StageProgress& progress) {
+    Team team(thread_count(m.settings()));
+    MeshState& state = m.value;
+    refine_mesh(state, m.settings(), state.wishes, team, m.allocator(), progress, state.refinement);
+    state.forget_places();
+    state.wishes.of_points.reset();
+    state.wishes.of_tetrahedra.reset();
+    state.report.clear();
 }
 
 // Runs body(progress), a call that changes the mesh, reports progress and can be cancelled.
@@ -151,6 +190,15 @@ extern "C" mgdt_status mgdt_mesh_set_fixed_points_i32(mgdt_mesh* m, int64_t n,
 
 extern "C" mgdt_status mgdt_mesh_build(mgdt_mesh* m) {
     return change(m, build);
+}
+
+extern "C" mgdt_status mgdt_mesh_set_sizes(mgdt_mesh* m, int32_t of, int64_t n,
+                                           const double* sizes) {
+    return guard(m, [&] { set_sizes(m->object, of, n, sizes); });
+}
+
+extern "C" mgdt_status mgdt_mesh_refine(mgdt_mesh* m) {
+    return change(m, refine);
 }
 
 extern "C" mgdt_status mgdt_mesh_improve(mgdt_mesh* m) {

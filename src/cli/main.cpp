@@ -21,10 +21,10 @@ namespace mgdt::cli {
 namespace {
 
 // In the order of the help.
-const Command* const commands[] = {&triangulate_command, &generate_command,    &check_command,
-                                   &info_command,        &interpolate_command, &voronoi_command,
-                                   &surface_command,     &hull_command,        &relax_command,
-                                   &mesh_command,        &improve_command,     &validate_command};
+const Command* const commands[] = {
+    &triangulate_command, &generate_command, &check_command,   &info_command,  &interpolate_command,
+    &voronoi_command,     &surface_command,  &hull_command,    &relax_command, &mesh_command,
+    &refine_command,      &improve_command,  &validate_command};
 
 // CLI11 would only report that a command is missing.
 void require_command(const std::string& name) {

@@ -115,45 +115,52 @@ Mesh mesh_of(const mgdt::Mesh& made) {
     return mesh;
 }
 
-void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaults& defaults,
-                     CLI::Option* improve) {
+void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaults& defaults) {
     options.keep = defaults.keep;
     options.boundary = defaults.boundary;
-    CLI::Option* const all[] = {
-        app.add_option("--goal", options.goal, "The least dihedral angle, in degrees")
-            ->type_name("N")
-            ->check(CLI::Range(0, 70))
-            ->capture_default_str(),
-        app.add_option(
-               "--boundary", options.boundary,
-               "fixed: the surface keeps its triangles; slide: its points move within plane "
-               "facets and along straight edges")
-            ->check(CLI::IsMember({"fixed", "slide"}))
-            ->capture_default_str(),
-        app.add_option("--keep", options.keep,
-                       "What happens to the points that were read. all: they stay where they are; "
-                       "numbers: they may move; none: some may also be left out")
-            ->check(CLI::IsMember({"all", "numbers", "none"}))
-            ->capture_default_str(),
-        app.add_option("--mean-passes", options.mean_passes,
-                       "Passes that move all points for the mean of the shapes")
-            ->type_name("N")
-            ->check(CLI::Range(0, 1000))
-            ->capture_default_str(),
-        app.add_option("--passes", options.most_passes,
-                       "Most passes over tetrahedra below the goal")
-            ->type_name("N")
-            ->check(CLI::Range(0, 10000))
-            ->capture_default_str()};
-    for (CLI::Option* const option : all)
-        if (improve) option->needs(improve);
+    app.add_option("--goal", options.goal, "The least dihedral angle, in degrees")
+        ->type_name("N")
+        ->check(CLI::Range(0, 70))
+        ->capture_default_str();
+    app.add_option("--boundary", options.boundary,
+                   "fixed: the surface keeps its triangles; slide: its points move within plane "
+                   "facets and along straight edges")
+        ->check(CLI::IsMember({"fixed", "slide"}))
+        ->capture_default_str();
+    app.add_option("--keep", options.keep,
+                   "What happens to the points that were read. all: they stay where they are; "
+                   "numbers: they may move; none: some may also be left out")
+        ->check(CLI::IsMember({"all", "numbers", "none"}))
+        ->capture_default_str();
+    app.add_option("--mean-passes", options.mean_passes,
+                   "Passes that move all points for the mean of the shapes")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    app.add_option("--passes", options.most_passes, "Most passes over tetrahedra below the goal")
+        ->type_name("N")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str();
+}
+
+void require_sound(const mgdt::Mesh& mesh, const std::string& name) {
+    try {
+        mesh.check();
+    } catch (const mgdt::Error& e) {
+        if (e.status() == MGDT_ERR_CHECK_FAILED)
+            throw Error(exit_check_failed,
+                        fmt::format("{}: the mesh fails its check: {}; please report this", name,
+                                    e.what()));
+        rethrow_failure(name, mesh.last_error());
+    } catch (...) {
+        rethrow_failure(name, mesh.last_error());
+    }
 }
 
 std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool is_checked,
                          bool quiet, const std::string& name) {
     check_interrupt();
     Progress progress("improving", quiet);
-    bool is_improved = false;
     try {
         mesh.set_option(MeshOption::goal, options.goal);
         mesh.set_option(MeshOption::boundary, number_of(options.boundary, {"fixed", "slide"}));
@@ -163,17 +170,10 @@ std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool i
         mesh.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
         mesh.improve();
         mesh.clear_progress();
-        is_improved = true;
-        if (is_checked) mesh.check();
-    } catch (const mgdt::Error& e) {
-        if (is_improved && e.status() == MGDT_ERR_CHECK_FAILED)
-            throw Error(exit_check_failed,
-                        fmt::format("{}: the mesh fails its check: {}; please report this", name,
-                                    e.what()));
-        rethrow_failure(name, mesh.last_error());
     } catch (...) {
         rethrow_failure(name, mesh.last_error());
     }
+    if (is_checked) require_sound(mesh, name);
     return describe(mesh, options.goal);
 }
 

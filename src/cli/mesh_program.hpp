@@ -31,9 +31,13 @@ struct ImproveDefaults {
     const char* boundary;
 };
 
-// Declares the options of an improvement, which need the option `improve` if it is not null.
-void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaults& defaults,
-                     CLI::Option* improve);
+// The names of the options that add_improvement() declares.
+inline constexpr const char* improvement_options[] = {"--goal", "--boundary", "--keep",
+                                                      "--mean-passes", "--passes"};
+// Declares the options of an improvement.
+void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaults& defaults);
+// Checks a mesh. A defect is a fault of the library.
+void require_sound(const mgdt::Mesh& mesh, const std::string& name);
 // Improves a mesh, and checks it if it is to be checked. Returns lines that say what has become
 // better.
 std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool is_checked,

@@ -191,7 +191,7 @@ bool CavitySearch::keeps_all(const WalledMesh& walled) {
 // from all of them.
 Refusal CavitySearch::judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept {
     double weight = 0, sum = 0, nearest2 = 16;
-    double least = 0, most = std::numeric_limits<double>::infinity();
+    double least = 0, most = std::numeric_limits<double>::infinity(), lowest = most, highest = 0;
     for (std::uint32_t i = 0; i < vertices_; ++i) {
         const VertexId v = workspace.ids.data[i];
         const Vector<double> d = difference<double>(mesh.walled.point(v), point.x);
@@ -200,10 +200,14 @@ Refusal CavitySearch::judge_vertices(const RefinedMesh& mesh, NewPoint& point) c
         const double part = 1 / (d2 + 0x1p-200), change = mesh.gradation * std::sqrt(d2);
         weight += part;
         sum += part * size;
+        lowest = std::min(lowest, size);
+        highest = std::max(highest, size);
         least = std::max(least, size - change);
         most = std::min(most, size + change);
     }
-    point.size = std::min({point.size, most, std::max(least, sum / weight)});
+    // Equal sizes stay as they are, whatever rounding does to their mean.
+    const double mean = std::min(std::max(sum / weight, lowest), highest);
+    point.size = std::min({point.size, most, std::max(least, mean)});
     return nearest2 < point.least2 ? Refusal::near_vertex : Refusal::none;
 }
 

@@ -16,6 +16,7 @@ struct NewPoint {
     double from_wall2;  // and of a distance from a wall below which the star has to be a gain
     TetId start;        // a tetrahedron in conflict with the point
     bool is_on_lattice;
+    bool is_last;  // whether no other point is tried if this one is refused
 };
 
 // The search of one thread.

@@ -65,7 +65,7 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
         refined_mesh.bounds = bounds_of(options, scale);
         refined_mesh.gradation = options.gradation;
         progress.enter(0, begun);
-        set_sizes(refined_mesh, mesh, wishes, scale);
+        set_sizes(refined_mesh, mesh, wishes, options.size, options.sizes_of_surface, scale);
         limit_sizes(refined_mesh, 0, progress);
         require_possible(refined_mesh, static_cast<std::size_t>(options.most_points));
         const CubicLattice lattice = lattice_for(refined_mesh.sizes);

@@ -11,7 +11,8 @@
 namespace mgdt {
 
 struct RefinementOptions {
-    static constexpr double largest_bound = 1e300;
+    // What the options are below.
+    static constexpr double bound = 1e300, gradation_bound = 1e6;
 
     double size = 0;           // of edges everywhere, or 0
     double gradation = 0.3;    // how fast sizes grow with the distance

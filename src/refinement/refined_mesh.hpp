@@ -37,16 +37,16 @@ class Verdict {
         bits_ = static_cast<std::uint8_t>((exponent - 1) / 2);
     }
     bool is_bad() const noexcept { return bits_ < good; }
-    unsigned class_of() const noexcept { return bits_ & (lattice_bit - 1); }
-    // Whether a point of the lattice was refused for it.
-    bool leaves_lattice() const noexcept { return (bits_ & lattice_bit) != 0; }
-    void leave_lattice() noexcept { bits_ = static_cast<std::uint8_t>(bits_ | lattice_bit); }
+    unsigned class_of() const noexcept { return bits_ & (n_classes - 1); }
+    // How many points were refused for a bad tetrahedron: at most 3 are counted.
+    unsigned tries() const noexcept { return bits_ / n_classes; }
+    void count_try() noexcept { bits_ = static_cast<std::uint8_t>(bits_ + n_classes); }
     Refusal refusal() const noexcept {
         return bits_ > refused ? static_cast<Refusal>(bits_ - refused) : Refusal::none;
     }
 
   private:
-    static constexpr std::uint8_t lattice_bit = 64, good = 128, refused = 128;
+    static constexpr std::uint8_t good = 128, refused = 128;
     std::uint8_t bits_;
 };
 

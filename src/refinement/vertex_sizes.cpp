@@ -22,8 +22,10 @@ class VertexSizes {
                            std::numeric_limits<double>::infinity());
     }
 
+    void add(double everywhere) {
+        for (double& size : mesh_.sizes) lower(size, everywhere);
+    }
     void add(const SizeWishes& wishes) {
-        for (double& size : mesh_.sizes) lower(size, wishes.everywhere);
         for (std::size_t p = 0; p < wishes.of_points.size(); ++p)
             lower(mesh_.sizes[solid_.point_origins[p] == no_index ? p + 1
                                                                   : solid_.point_origins[p] + 1],
@@ -34,14 +36,13 @@ class VertexSizes {
                 if (!wishes.of_tetrahedra.empty()) lower(size, wishes.of_tetrahedra[t]);
                 if (!wishes.of_regions.empty()) lower(size, wishes.of_regions[solid_.regions[t]]);
             }
-        if (wishes.are_of_surface) add_surface();
     }
+    void add_surface();
 
   private:
     void lower(double& size, double wish) const noexcept {
         if (wish > 0) size = std::min(size, wish * scale_);
     }
-    void add_surface();
 
     RefinedMesh& mesh_;
     const SolidMesh& solid_;
@@ -106,8 +107,12 @@ class VertexStars {
 
 }  // namespace
 
-void set_sizes(RefinedMesh& mesh, const SolidMesh& solid, const SizeWishes& wishes, double scale) {
-    VertexSizes(mesh, solid, scale).add(wishes);
+void set_sizes(RefinedMesh& mesh, const SolidMesh& solid, const SizeWishes& wishes,
+               double everywhere, bool are_of_surface, double scale) {
+    VertexSizes sizes(mesh, solid, scale);
+    sizes.add(everywhere);
+    sizes.add(wishes);
+    if (are_of_surface) sizes.add_surface();
 }
 
 // Vertices are passed in ascending order of their sizes (Dijkstra's algorithm).

@@ -13,16 +13,16 @@ struct SizeWishes {
     explicit SizeWishes(Allocator& allocator)
         : of_points(allocator), of_tetrahedra(allocator), of_regions(allocator) {}
 
-    double everywhere = 0;
-    bool are_of_surface = false;   // whether edges of the surface are the wish of their ends
     Buffer<double> of_points;      // empty, or one for each point
     Buffer<double> of_tetrahedra;  // empty, or one for each tetrahedron
     Buffer<double> of_regions;     // empty, or one for each region
 };
 
 // Sets the sizes of the vertices of a mesh: at each the least wish, or infinity where there is
-// none. `scale` is what the caller's lengths are multiplied by.
-void set_sizes(RefinedMesh& mesh, const SolidMesh& solid, const SizeWishes& wishes, double scale);
+// none. `everywhere` is one more wish. With `are_of_surface`, the mean length of the edges of faces
+// at a vertex is one, too. `scale` is what the caller's lengths are multiplied by.
+void set_sizes(RefinedMesh& mesh, const SolidMesh& solid, const SizeWishes& wishes,
+               double everywhere, bool are_of_surface, double scale);
 
 // Lowers sizes until none exceeds that of a neighbour by more than the gradation times their
 // distance. What is within `tolerance`, a share, of that stays. Returns whether a size has changed.

@@ -19,78 +19,94 @@ bool ZoneRefiner::divide(const BadTetrahedron& bad, ZoneSupply& supply) {
     const Mesh& mesh = mesh_.walled.mesh;
     if (mesh.tetrahedra[bad.slot].v[0] != bad.newest) return true;
     Verdict& verdict = mesh_.verdicts[bad.slot];
+    Refusal refusal = Refusal::hidden;
     NewPoint point;
-    if (!propose(bad.slot, point)) {
-        verdict = Verdict(Refusal::hidden);
-        return true;
+    if (propose(bad.slot, point)) {
+        switch (search_.find(mesh_, calls_, point)) {
+            case CavitySearch::Outcome::closed:
+                return true;
+            case CavitySearch::Outcome::refused:
+                refusal = search_.refusal();
+                break;
+            case CavitySearch::Outcome::found:
+                Workspace& w = search_.workspace;
+                if (w.boundary_size > w.cavity_size + supply.slots()) {
+                    w.restore_cavity(mesh_.walled.mesh.tetrahedra, w.cavity_size);
+                    return false;
+                }
+                insert(point, supply);
+                return true;
+        }
     }
-    switch (search_.find(mesh_, calls_, point)) {
-        case CavitySearch::Outcome::closed:
-            return true;
-        case CavitySearch::Outcome::refused:
-            if (point.is_on_lattice) {
-                verdict.leave_lattice();
-                bad_.add(bad, verdict.class_of());
-            } else {
-                verdict = Verdict(search_.refusal());
-            }
-            return true;
-        case CavitySearch::Outcome::found:
-            break;
+    if (point.is_last) {
+        verdict = Verdict(refusal);
+    } else {
+        verdict.count_try();
+        bad_.add(bad, verdict.class_of());
     }
-    Workspace& w = search_.workspace;
-    if (w.boundary_size > w.cavity_size + supply.slots()) {
-        w.restore_cavity(mesh_.walled.mesh.tetrahedra, w.cavity_size);
-        return false;
-    }
-    insert(point, supply);
     return true;
 }
 
-// Finds the point that is to divide a tetrahedron: its circumcentre, or a point of the lattice.
-// Returns false if that is outside of the mesh.
+// Finds the point that is to divide a tetrahedron. Returns false if that is outside of the mesh.
 bool ZoneRefiner::propose(TetId t, NewPoint& point) const noexcept {
     const VertexId(&v)[4] = mesh_.walled.mesh.tetrahedra[t].v;
-    const double* const p[4] = {mesh_.walled.point(v[0]), mesh_.walled.point(v[1]),
-                                mesh_.walled.point(v[2]), mesh_.walled.point(v[3])};
-    const ElementShape e = element_of(p[0], p[1], p[2], p[3]);
-    double radius2 = e.radius2;
-    for (int k = 0; k < 3; ++k) point.x[k] = p[0][k] + e.offset.x[k];
-    // Rounding may take the circumcentre of a flat tetrahedron far away.
-    bool is_accurate = radius2 < 16;
-    for (int j = 1; j < 4; ++j) {
-        const Vector<double> d = difference<double>(p[j], point.x);
-        is_accurate = is_accurate && std::fabs(dot(d, d) - radius2) < 0x1p-10 * radius2;
-    }
-    if (!is_accurate) {
-        const Circumcenter exact = circumcenter(p);
-        std::copy_n(exact.x, 3, point.x);
-        radius2 = exact.radius2;
-    }
+    const ElementShape e = mesh_.element(v);
+    const double size = mesh_.mean_size(v);
+    const double least = mesh_.bounds.least_edge * size, near = mesh_.bounds.from_wall * size;
+    const bool is_large = mesh_.bounds.exceeds_size(e, size);
+    point.start = t;
+    point.size = std::numeric_limits<double>::infinity();
+    point.from_wall2 = std::min(near * near, 0.25 * e.radius2);
+    point.least2 = mesh_.bounds.exceeds_shape(e) ? e.shortest2 : 0.25 * e.radius2;
+    if (is_large) point.least2 = least * least;
+    point.is_on_lattice = false;
+    point.is_last = !is_large;
+    if (!choose_place(t, e, point)) return false;
     // The mesh is between -1 and 1. Tiny coordinates would be outside of the normal range.
     for (double& x : point.x) {
         if (!(std::fabs(x) <= 1)) return false;
         if (std::fabs(x) < 0x1p-100) x = 0;
     }
-    const double size = mesh_.mean_size(v);
-    const bool is_large = mesh_.bounds.exceeds_size(e, size);
-    const double least = mesh_.bounds.least_edge * size, near = mesh_.bounds.from_wall * size;
-    point.start = t;
-    point.size = std::numeric_limits<double>::infinity();
-    point.from_wall2 = std::min(near * near, 0.25 * radius2);
-    point.least2 = mesh_.bounds.exceeds_shape(e) ? e.shortest2 : 0.25 * radius2;
-    if (is_large) point.least2 = least * least;
-    point.is_on_lattice = false;
-    if (is_large && lattice_.step > 0 && !mesh_.verdicts[t].leaves_lattice()) {
-        double snapped[3];
-        lattice_.snap(point.x, snapped);
-        const Vector<double> d = difference<double>(snapped, point.x);
-        if (dot(d, d) < 0.9 * radius2) {
-            std::copy_n(snapped, 3, point.x);
-            point.is_on_lattice = true;
-        }
-    }
     return true;
+}
+
+// Chooses the place: first the circumcentre, or for a tetrahedron that is too large, the lattice
+// point nearest to it, then the circumcentre itself, and then the same for the centroid, which is
+// on this side of all walls. Returns false for a place that is not in conflict with the
+// tetrahedron.
+bool ZoneRefiner::choose_place(TetId t, const ElementShape& e, NewPoint& point) const noexcept {
+    const VertexId(&v)[4] = mesh_.walled.mesh.tetrahedra[t].v;
+    const double* const p[4] = {mesh_.walled.point(v[0]), mesh_.walled.point(v[1]),
+                                mesh_.walled.point(v[2]), mesh_.walled.point(v[3])};
+    const bool is_large = !point.is_last, has_lattice = lattice_.step > 0;
+    const unsigned tries = mesh_.verdicts[t].tries();
+    // Tries of the circumcentre, and of the centroid.
+    const unsigned each = has_lattice ? 2 : 1;
+    const bool is_snapped = is_large && has_lattice && tries % 2 == 0;
+    point.is_last = !is_large || tries + 1 == 2 * each;
+    double radius2 = e.radius2, centre[3];
+    for (int k = 0; k < 3; ++k) centre[k] = p[0][k] + e.offset.x[k];
+    // Rounding may take the circumcentre of a flat tetrahedron far away.
+    bool is_accurate = radius2 < 16;
+    for (int j = 1; j < 4; ++j) {
+        const Vector<double> d = difference<double>(p[j], centre);
+        is_accurate = is_accurate && std::fabs(dot(d, d) - radius2) < 0x1p-10 * radius2;
+    }
+    if (!is_accurate) {
+        const Circumcenter exact = circumcenter(p);
+        std::copy_n(exact.x, 3, centre);
+        radius2 = exact.radius2;
+    }
+    std::copy_n(centre, 3, point.x);
+    if (tries >= each)
+        for (int k = 0; k < 3; ++k) point.x[k] = 0.25 * ((p[0][k] + p[1][k]) + (p[2][k] + p[3][k]));
+    if (!is_snapped) return true;
+    double snapped[3];
+    lattice_.snap(point.x, snapped);
+    std::copy_n(snapped, 3, point.x);
+    point.is_on_lattice = true;
+    const Vector<double> d = difference<double>(snapped, centre);
+    return dot(d, d) < 0.9 * radius2;
 }
 
 // Inserts a point whose cavity is in the workspace.

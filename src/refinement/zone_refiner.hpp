@@ -46,6 +46,7 @@ class ZoneRefiner {
     void begin_zone(const TetId* begin, const TetId* end);
     bool divide(const BadTetrahedron& bad, ZoneSupply& supply);
     bool propose(TetId t, NewPoint& point) const noexcept;
+    bool choose_place(TetId t, const ElementShape& e, NewPoint& point) const noexcept;
     void insert(const NewPoint& point, ZoneSupply& supply);
 
     // A facet of the cavity, and what is in the slot of a tetrahedron inside of it.

@@ -156,6 +156,7 @@ int main(void) {
                   {"mesh", test_mesh},
                   {"given mesh", test_given_mesh},
                   {"improvement", test_improvement},
+                  {"refinement", test_refinement},
                   {"periodic", test_periodic},
                   {"periodic_limits", test_periodic_limits}};
     size_t g;

@@ -57,6 +57,7 @@ void test_domain_limits(void);
 void test_mesh(void);
 void test_given_mesh(void);
 void test_improvement(void);
+void test_refinement(void);
 void test_dual(void);
 void test_memory(void);
 void test_parts(void);

@@ -98,8 +98,9 @@ static void kinds_of_keys(void) {
     int32_t found, key;
     double x[200];
     CHECK_KINDS_OF_KEYS(mesh, m, mgdt_mesh_get_option(m, key, &value), found);
-    /* Four arrays describe an improvement (test_improvement.c). */
-    CHECK_EQUAL(found, n_arrays + 4);
+    /* Four arrays describe an improvement (test_improvement.c), and two a refinement
+     * (test_refinement.c). */
+    CHECK_EQUAL(found, n_arrays + 6);
     CHECK_EQUAL(mgdt_mesh_get_array(m, MGDT_MESH_ARRAY_POINTS, 200, wide), MGDT_ERR_UNKNOWN_KEY);
     check_message(m, "has doubles, not integers");
     CHECK_EQUAL(mgdt_mesh_get_doubles(m, MGDT_MESH_ARRAY_FACES, 200, x), MGDT_ERR_UNKNOWN_KEY);

@@ -88,7 +88,7 @@ class CliTest(unittest.TestCase):
 class Usage(CliTest):
     def test_help_and_version(self):
         self.assertIn(b"Exit codes", self.mgdt("--help"))
-        for command in ["triangulate", "generate", "check", "info", "interpolate", "voronoi", "surface", "hull", "relax", "mesh", "improve", "validate"]:
+        for command in ["triangulate", "generate", "check", "info", "interpolate", "voronoi", "surface", "hull", "relax", "mesh", "refine", "improve", "validate"]:
             self.assertIn(b"Exit codes", self.mgdt(command, "--help"))
             self.assertIn(command, self.mgdt("--help").decode())
         self.assertRegex(self.mgdt("--version").decode(), r"^mgdt \d+\.\d+\.\d+")

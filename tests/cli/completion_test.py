@@ -26,7 +26,7 @@ class Bash(unittest.TestCase):
 
     def test_commands(self):
         self.assertEqual(self.completed("tri"), ["triangulate"])
-        self.assertLessEqual({"triangulate", "generate", "check", "info", "interpolate", "voronoi", "surface", "hull", "relax", "mesh", "improve", "validate", "--version"},
+        self.assertLessEqual({"triangulate", "generate", "check", "info", "interpolate", "voronoi", "surface", "hull", "relax", "mesh", "refine", "improve", "validate", "--version"},
                              set(self.completed("")))
 
     def test_options(self):

@@ -141,6 +141,16 @@ bool calls_mesh() {
     if (std::abs(values[0] - 0.3) > 1e-15 || std::abs(values[1] - 0.3) > 1e-15) return false;
     const mgdt::ShapeSummary shapes = mesh.shape_summary();
     if (!(shapes.least_angle > 30) || shapes.angles[0] != 0) return false;
+    mesh.set_option(mgdt::MeshDoubleOption::size, 0.5);
+    if (mesh.option(mgdt::MeshDoubleOption::size) != 0.5) return false;
+    const std::vector<double> sizes(
+        static_cast<std::size_t>(mesh.statistic(mgdt::MeshStatistic::points)), 0.4);
+    mesh.set_sizes(mgdt::Sizes::of_points, sizes);
+    mesh.refine();
+    if (mesh.array(mgdt::MeshArray::refusals).empty()) return false;
+    if (mesh.doubles(mgdt::MeshDoubles::sizes).size() !=
+        static_cast<std::size_t>(mesh.statistic(mgdt::MeshStatistic::points)))
+        return false;
     mgdt::Mesh with_memory(nullptr, nullptr, nullptr);
     try {
         with_memory.build();

@@ -241,7 +241,7 @@ contains
     subroutine improved_mesh()
         type(mgdt_tetrahedral_mesh) :: mesh, other
         real(real64) :: xyz(3, 9), volume
-        real(real64), allocatable :: shapes(:, :), points(:, :), volumes(:)
+        real(real64), allocatable :: shapes(:, :), points(:, :), volumes(:), sizes(:)
         integer :: corners(4, 12), i, stat
         integer, allocatable :: markers(:), below(:, :), reasons(:)
         integer(int64), allocatable :: long(:, :)
@@ -326,6 +326,31 @@ contains
         call other%improve()
         call other%get(mgdt_mesh_array_points, points)
         call expect(all(abs(points(:, 9) - xyz(:, 9)) <= 0), 'a fixed point')
+
+        ! Sizes of all kinds.
+        call other%set_option(mgdt_mesh_option_size, 0.75_real64)
+        call expect(abs(other%get_double_option(mgdt_mesh_option_size) - 0.75_real64) <= 0, 'the size')
+        call other%set_sizes(mgdt_sizes_of_regions, [0.5_real64])
+        call other%set_sizes(mgdt_sizes_of_regions, [real(real64) ::])
+        call other%get(mgdt_mesh_array_points, points)
+        allocate (sizes(size(points, 2)), source=0.0_real64)
+        sizes(1) = 0.25_real64
+        call other%set_sizes(mgdt_sizes_of_points, sizes)
+        call other%set_sizes(mgdt_sizes_of_points, sizes(2:), stat, message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'sizes of points')
+        call other%set_progress(hear)
+        heard = 0
+        call other%refine()
+        call other%remove_progress()
+        call expect(heard > 0, 'progress of a refinement')
+        call other%check()
+        call expect(other%statistic(mgdt_mesh_stat_inserted_points) > 10, 'points of a refinement')
+        call other%get(mgdt_mesh_array_sizes, sizes)
+        call expect(size(sizes) == other%statistic(mgdt_mesh_stat_points) .and. &
+                    abs(sizes(1) - 0.25_real64) <= 0, 'the sizes')
+        call other%get(mgdt_mesh_array_refusals, reasons)
+        call expect(count(reasons /= mgdt_refusal_none) == other%statistic(mgdt_mesh_stat_refused), &
+                    'refusals')
 
         call other%build(stat, message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'no tetrahedra')

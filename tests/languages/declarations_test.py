@@ -43,7 +43,7 @@ header_text = "".join((source / "include/mgdt" / name).read_text(encoding="utf-8
                       for name in ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h", "mgdt_mesh.h", "mgdt_periodic.h"))
 header = c_functions(header_text.replace("MGDT_API", " "))
 constants = {name: int(value) for name, value in
-             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|TETRAHEDRON|INTERPOLATE|OUTSIDE|VORONOI|DOMAIN|MESH|BOUNDARY|POINTS|REASON|PERIODIC)\w*) = (\d+)", header_text, re.M)}
+             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|TETRAHEDRON|INTERPOLATE|OUTSIDE|VORONOI|DOMAIN|MESH|BOUNDARY|POINTS|REASON|REFUSAL|SIZES|PERIODIC)\w*) = (\d+)", header_text, re.M)}
 
 
 def expect(language, what, got, expected):
@@ -71,7 +71,7 @@ BEGINNINGS = {"status": "MGDT_ERR_", "order": "MGDT_ORDER_", "parameter": "MGDT_
               "domain_stat": "MGDT_DOMAIN_STAT_", "domain_array": "MGDT_DOMAIN_ARRAY_",
               "mesh_option": "MGDT_MESH_OPTION_", "mesh_stat": "MGDT_MESH_STAT_",
               "mesh_array": "MGDT_MESH_ARRAY_", "boundary": "MGDT_BOUNDARY_", "points": "MGDT_POINTS_",
-              "reason": "MGDT_REASON_",
+              "reason": "MGDT_REASON_", "refusal": "MGDT_REFUSAL_", "sizes": "MGDT_SIZES_",
               "periodic_option": "MGDT_PERIODIC_OPTION_", "periodic_stat": "MGDT_PERIODIC_STAT_",
               "periodic_array": "MGDT_PERIODIC_ARRAY_"}
 named = {"MGDT_OK": 0}

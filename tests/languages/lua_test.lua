@@ -651,6 +651,23 @@ test("a mesh", function()
     equal(mesh:check(), true, "check")
     equal(mesh.region_count, 2, "regions")
     assert(tostring(mesh):find("mgdt mesh: 125 points, 384 tetrahedra, 2 regions"))
+    local refined, sizes = mgdt.mesh(given), { of_points = {}, of_tetrahedra = {} }
+    for k = 1, 125 do sizes.of_points[k] = k == 1 and 0.3 or 0 end
+    for k = 1, 384 do sizes.of_tetrahedra[k] = k == 384 and 0.25 or 0 end
+    heard = 0
+    equal(refined:refine { size = 0.75, gradation = 0.5, radius_edge = 1.5, volume = 0.125, sizes_of_surface = true,
+        most_points = 2000, region_sizes = { 0.45, 0 }, point_sizes = sizes.of_points,
+        tetrahedron_sizes = sizes.of_tetrahedra,
+        progress = function(fraction) heard = heard + fraction end }, refined, "the mesh")
+    assert(heard > 0)
+    equal(refined:check(), true, "check")
+    equal(refined.inserted_points, refined.point_count - 125, "inserted points")
+    for name in pairs(require("mgdt.interface").mesh_array) do
+        local is_integer = tostring(ffi.typeof(refined[name])):match("int") ~= nil
+        local reference, length = read("refined_" .. name, is_integer and "int64_t" or "double")
+        equal(ffi.sizeof(refined[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+        same(refined[name], reference, length, name)
+    end
     heard = 0
     equal(mesh:improve { goal = 30, boundary = "slide", fixed = integers "fixed",
         progress = function(fraction) heard = heard + fraction end }, mesh, "the mesh")
@@ -707,6 +724,12 @@ test("a mesh", function()
     for name, value in pairs { goal = 71, boundary = "open", points = "lose", fixed = 3, mean_passes = -1, most = 1 } do
         refused("invalid_argument", {}, tetrahedron.improve, tetrahedron, { [name] = value })
     end
+    for name, value in pairs { size = "1", gradation = -1, radius_edge = {}, volume = -1, most_points = -1,
+        sizes_of_surface = 1, region_sizes = { 1, 2 }, point_sizes = { 1, 1, 1, "1" }, tetrahedron_sizes = 1, most = 1 } do
+        refused("invalid_argument", {}, tetrahedron.refine, tetrahedron, { [name] = value })
+    end
+    refused("cancelled", {}, refined.refine, refined, { size = 0.2, progress = function() return true end })
+    equal(refined:check(), true, "check")
     refused("cancelled", {}, mesh.improve, mesh, { goal = 40, progress = function() return true end })
     equal(mesh:check(), true, "check")
 end)

@@ -5,7 +5,7 @@
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
   tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @changes, @settings, ...
-           @domain, @improvement, @periodic_box, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
+           @domain, @refinement, @improvement, @periodic_box, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -288,6 +288,33 @@ function domain (folder)
   refused ("mgdt:busy", {"progress"}, @() make ("progress", @(fraction) mgdt_offending_pairs (crossing{:})));
   refused ("Octave:invalid-fun-call", {}, @() mgdt_domain_mesh ([]));
   refused ("Octave:invalid-fun-call", {}, @() mgdt_offending_pairs ([]));
+end
+
+function refinement (folder)
+  global heard
+  from_1 = @(v) v + 1;
+  tetrahedra = from_1 (read (folder, "block_given_tetrahedra", "int64", 4));
+  given = {read(folder, "block_given_points", "double", 3), tetrahedra, ...
+           "markers", read(folder, "block_given_markers", "int64", 1), ...
+           "faces", from_1(read (folder, "block_given_faces", "int64", 3)), ...
+           "face_markers", read(folder, "block_given_face_markers", "int64", 1)};
+  heard = 0;
+  mesh = mgdt_refine (given{:}, "size", 0.75, "gradation", 0.5, "radius_edge", 1.5, "volume", 0.125, ...
+                      "sizes_of_surface", true, "most_points", 2000, "region_sizes", [0.45 0], ...
+                      "point_sizes", [0.3; zeros(124, 1)], "tetrahedron_sizes", [zeros(383, 1); 0.25], ...
+                      "progress", @add_to_heard, "check", true);
+  assert (heard > 0);
+  assert (mesh.tetrahedra, from_1 (read (folder, "refined_tetrahedra", "int64", 4)));
+  assert (mesh.points, read (folder, "refined_points", "double", 3));
+  assert (mesh.refusals, read (folder, "refined_refusals", "int64", 1));
+  assert (mesh.sizes, read (folder, "refined_sizes", "double", 1));
+  better = mgdt_improve (mgdt_refine (mesh, "size", 0.6), "goal", 10, "check", true);
+  assert (rows (better.tetrahedra) > rows (mesh.tetrahedra));
+  refused ("mgdt:invalid_argument", {"-1"}, @() mgdt_refine (mesh, "size", -1));
+  refused ("mgdt:invalid_argument", {"2 sizes of points"}, @() mgdt_refine (mesh, "point_sizes", [1 2]));
+  refused ("mgdt:unknown_key", {"gradation"}, @() mgdt_refine (mesh, "goal", 30));
+  refused ("mgdt:cancelled", {}, @() mgdt_refine (mesh, "size", 0.2, "progress", @(f) true));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_refine (given{1}));
 end
 
 function improvement (folder)

@@ -135,11 +135,13 @@ static void write_mesh(const mgdt_mesh* m, const char* prefix) {
                   {MGDT_MESH_ARRAY_EDGE_MARKERS, "edge_markers"},
                   {MGDT_MESH_ARRAY_STEINER_EDGES, "steiner_edges"},
                   {MGDT_MESH_ARRAY_REASONS, "reasons"},
+                  {MGDT_MESH_ARRAY_REFUSALS, "refusals"},
                   {MGDT_MESH_ARRAY_ANGLE_HISTOGRAM, "angle_histogram"},
                   {MGDT_MESH_ARRAY_TETRAHEDRA_BELOW, "tetrahedra_below"},
                   {MGDT_MESH_ARRAY_POINTS, "points"},
                   {MGDT_MESH_ARRAY_STEINER_PARAMETERS, "steiner_parameters"},
-                  {MGDT_MESH_ARRAY_SHAPES, "shapes"}};
+                  {MGDT_MESH_ARRAY_SHAPES, "shapes"},
+                  {MGDT_MESH_ARRAY_SIZES, "sizes"}};
     int64_t count = 0, k;
     for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
         char name[64];
@@ -195,8 +197,27 @@ static void export_places(const mgdt_mesh* m) {
     free(xyz);
 }
 
+/* Refines a block of two regions and 125 points by sizes of all kinds. */
+static void refine_block(mgdt_mesh* m) {
+    static const double of_regions[2] = {0.45, 0};
+    double of_points[125] = {0.3}, of_tetrahedra[384] = {0};
+    of_tetrahedra[383] = 0.25;
+    if (mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_REGIONS, 2, of_regions) != MGDT_OK ||
+        mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_POINTS, 125, of_points) != MGDT_OK ||
+        mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_TETRAHEDRA, 384, of_tetrahedra) != MGDT_OK ||
+        mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_SIZE, 0.75) != MGDT_OK ||
+        mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_GRADATION, 0.5) != MGDT_OK ||
+        mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_RADIUS_EDGE, 1.5) != MGDT_OK ||
+        mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_VOLUME, 0.125) != MGDT_OK ||
+        mgdt_mesh_set_option(m, MGDT_MESH_OPTION_SIZES_OF_SURFACE, 1) != MGDT_OK ||
+        mgdt_mesh_set_option(m, MGDT_MESH_OPTION_MOST_POINTS, 2000) != MGDT_OK ||
+        mgdt_mesh_refine(m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK)
+        stop("the block was not refined");
+    write_mesh(m, "refined");
+}
+
 /* The cubes of a lattice, whose inner points are moved, each of six tetrahedra. Writes what is
- * given and the arrays of the improved mesh. */
+ * given and the arrays of the refined and of the improved mesh. */
 static void export_block(void) {
     enum {
         side = 4,
@@ -237,6 +258,11 @@ static void export_block(void) {
     write_file("block_given_face_markers", of_faces, 1);
     write_file("block_given_fixed", fixed, 1);
     if (mgdt_mesh_create(&m) != MGDT_OK || mgdt_mesh_set_points(m, points, xyz) != MGDT_OK ||
+        mgdt_mesh_set_tetrahedra(m, n / 4, corners, of_tetrahedra) != MGDT_OK ||
+        mgdt_mesh_set_faces(m, 1, faces, face_markers) != MGDT_OK || mgdt_mesh_build(m) != MGDT_OK)
+        stop("the block is no mesh");
+    refine_block(m);
+    if (mgdt_mesh_set_points(m, points, xyz) != MGDT_OK ||
         mgdt_mesh_set_tetrahedra(m, n / 4, corners, of_tetrahedra) != MGDT_OK ||
         mgdt_mesh_set_faces(m, 1, faces, face_markers) != MGDT_OK ||
         mgdt_mesh_set_fixed_points(m, 1, fixed) != MGDT_OK || mgdt_mesh_build(m) != MGDT_OK ||

@@ -284,6 +284,27 @@ class MgdtTest < Minitest::Test
     mesh.check
   end
 
+  def test_a_refinement
+    heard = 0
+    mesh = block_mesh(**given_block)
+    refined = mesh.refine(size: 0.75, gradation: 0.5, radius_edge: 1.5, volume: 0.125, sizes_of_surface: true,
+                          most_points: 2000, region_sizes: [0.45, 0], point_sizes: [0.3] + [0] * 124,
+                          tetrahedron_sizes: [0] * 383 + [0.25]) { |fraction| heard += fraction }
+    assert_same mesh, refined.check
+    assert_operator heard, :>, 0
+    assert_equal mesh.points.size - 125, mesh.inserted_points
+    assert_equal mesh.refusals.count(&:positive?), mesh.refused
+    assert_equal self.class.integers("refined_tetrahedra", 4), mesh.tetrahedra
+    assert_equal self.class.integers("refined_refusals"), mesh.refusals
+    assert_equal self.class.doubles("refined_points").each_slice(3).to_a, mesh.points
+    assert_equal self.class.doubles("refined_sizes"), mesh.sizes
+    assert_raises(Mgdt::Cancelled) { mesh.refine(size: 0.2) { :cancel } }
+    refused(Mgdt::InvalidArgument, "-1") { mesh.refine(size: -1) }
+    refused(Mgdt::InvalidArgument, "Array of numbers") { mesh.refine(region_sizes: [nil, 1]) }
+    refused(Mgdt::InvalidArgument, "1 sizes of regions, of which there are 2") { mesh.refine(region_sizes: [1]) }
+    mesh.check
+  end
+
   def test_what_meshes_refuse
     points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     refused(Mgdt::InvalidArgument, "tetrahedron 0 has the corner 4") { Mgdt::Mesh.new(points, [[0, 1, 2, 4]]) }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes of the caller's tetrahedra, and their improvement."""
+"""Meshes of the caller's tetrahedra, their refinement and their improvement."""
 
 import copy
 import doctest
@@ -81,6 +81,41 @@ class Mesh(unittest.TestCase):
         mesh.improve(30, slide=True)
         self.assertTrue((mesh.points == before).all())
 
+    def test_refinement(self) -> None:
+        results = []
+        for threads in (1, 3):
+            mesh = mgdt.Mesh(POINTS, SIMPLICES, threads=threads)
+            heard: list[float] = []
+            done = mesh.refine(0.8, region_sizes=[0.6], gradation=0.5, progress=heard.append)
+            mesh.check()
+            self.assertEqual(heard, sorted(heard))
+            self.assertEqual(heard[-1], 1)
+            self.assertEqual(done.inserted, mesh.npoints - len(POINTS))
+            self.assertGreater(done.inserted, 100)
+            self.assertEqual(done.refused, np.count_nonzero(done.refusals))
+            self.assertEqual(done.refusals.shape, (mesh.nsimplex,))
+            self.assertEqual(done.sizes.tolist(), [0.6] * mesh.npoints)
+            self.assertTrue((mesh.points[:len(POINTS)] == POINTS).all())
+            self.assertAlmostEqual(mesh.tetrahedron_measures("volume").sum(), N**3)
+            results.append((mesh.points.tolist(), mesh.simplices.tolist()))
+        self.assertEqual(*results)
+        self.assertGreaterEqual(mesh.improve(15).least_angle[1], 15)
+
+    def test_sizes(self) -> None:
+        at = np.linalg.norm(POINTS, axis=1)
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        by_points = mesh.refine(point_sizes=0.2 + 0.3 * at, most_points=3000)
+        self.assertGreater(by_points.sizes.max(), 2 * by_points.sizes.min())
+        mesh.check()
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        mesh.refine(simplex_sizes=np.where(np.arange(len(SIMPLICES)) == 0, 0.3, 0), volume=0.1)
+        mesh.check()
+        self.assertLess(np.sort(mesh.tetrahedron_measures("volume"))[-len(SIMPLICES) // 20], 0.1)
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        done = mesh.refine(0.3, sizes_of_surface=True, radius_edge=0, most_points=50)
+        self.assertEqual(done.inserted, 50)
+        self.assertIn(5, done.refusals)
+
     def test_what_stays(self) -> None:
         on_surface = ((POINTS == 0) | (POINTS == N)).any(axis=1)
         fixed = np.flatnonzero(~on_surface)[:7]
@@ -139,6 +174,7 @@ class Mesh(unittest.TestCase):
 
     def test_copies(self) -> None:
         mesh = mgdt.Mesh(POINTS, SIMPLICES, markers=np.ones(len(SIMPLICES), int))
+        mesh.refine(0.8)
         mesh.improve(25, slide=True, mean_passes=1)
         for twin in (copy.copy(mesh), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))):
             self.assertTrue((twin.points == mesh.points).all())
@@ -166,6 +202,16 @@ class Mesh(unittest.TestCase):
         ):
             with self.subTest(arguments), self.assertRaisesRegex(ValueError, words):
                 mesh.improve(**arguments)  # type: ignore
+        for arguments, words in (
+            (dict(size=-1), "-1"), (dict(size=np.nan), "nan"), (dict(size=1e-9), "would take"),
+            (dict(point_sizes=[1, 2]), "shape"), (dict(simplex_sizes=[-1]), "size 0 is -1"),
+            (dict(region_sizes=[np.nan]), "size 0 is"), (dict(most_points=-1), "-1"), (dict(gradation=1e7), "1e"),
+        ):
+            with self.subTest(arguments), self.assertRaisesRegex((ValueError, mgdt.TooLargeError), words):
+                mesh.refine(**arguments)  # type: ignore
+        with self.assertRaises(mgdt.Cancelled):
+            mesh.refine(0.1, progress=lambda _: mgdt.CANCEL)
+        self.assertEqual(mesh.nsimplex, 1)
         mesh.check()
 
     def test_examples(self) -> None:

@@ -26,8 +26,6 @@ struct Refined {
 
     void refine(unsigned threads = 1) {
         Team team(threads);
-        wishes.everywhere = options.size;
-        wishes.are_of_surface = options.sizes_of_surface;
         refine_mesh(copy.mesh, options, wishes, team, memory, Unwatched(), report);
     }
     const SolidMesh& mesh() const { return copy.mesh; }
@@ -104,7 +102,7 @@ TEST(Refinement, KeepsRegionsAndFaces) {
         const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
         for (const bool are_of_surface : {false, true}) {
             Refined refined(given);
-            refined.options.size = longest / (are_of_surface ? 8 : 12);
+            refined.options.size = longest / (are_of_surface ? 5 : 8);
             refined.options.sizes_of_surface = are_of_surface;
             refined.refine();
             expect_good_mesh(refined.mesh());
@@ -281,7 +279,7 @@ TEST(Refinement, RunsOutOfMemory) {
     bool is_done = false;
     for (std::int64_t at = 1; !is_done; ++at) {
         Refined refined(domain.mesh());
-        refined.wishes.everywhere = 0.5;
+        refined.options.size = 0.5;
         counting_allocator source = {};
         source.refuse_at = at;
         {
@@ -310,11 +308,12 @@ TEST(Verdicts, KeepWhatTheyAreGiven) {
         EXPECT_GE(verdict.class_of(), last);
         last = verdict.class_of();
         EXPECT_LT(last, Verdict::n_classes);
-        EXPECT_FALSE(verdict.leaves_lattice());
-        verdict.leave_lattice();
-        EXPECT_TRUE(verdict.leaves_lattice());
-        EXPECT_TRUE(verdict.is_bad());
-        EXPECT_EQ(verdict.class_of(), last);
+        for (unsigned tries = 0; tries < 4; ++tries) {
+            EXPECT_EQ(verdict.tries(), tries);
+            EXPECT_TRUE(verdict.is_bad());
+            EXPECT_EQ(verdict.class_of(), last);
+            if (tries < 3) verdict.count_try();
+        }
         EXPECT_EQ(verdict.refusal(), Refusal::none);
     }
     EXPECT_EQ(last + 1, unsigned{Verdict::n_classes});

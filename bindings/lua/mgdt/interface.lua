@@ -160,6 +160,8 @@ int32_t mgdt_mesh_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn releas
 void mgdt_mesh_destroy(mgdt_mesh *m);
 int32_t mgdt_mesh_set_option(mgdt_mesh *m, int32_t option, int64_t value);
 int32_t mgdt_mesh_get_option(const mgdt_mesh *m, int32_t option, int64_t *value);
+int32_t mgdt_mesh_set_double_option(mgdt_mesh *m, int32_t option, double value);
+int32_t mgdt_mesh_get_double_option(const mgdt_mesh *m, int32_t option, double *value);
 int32_t mgdt_mesh_set_progress(mgdt_mesh *m, mgdt_progress_fn fn, void *user);
 int32_t mgdt_mesh_get_progress(const mgdt_mesh *m, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_mesh_cancel(mgdt_mesh *m);
@@ -177,7 +179,9 @@ int32_t mgdt_mesh_set_edges_i32(mgdt_mesh *m, int64_t n, const int32_t *ends,
                                 const int32_t *markers);
 int32_t mgdt_mesh_set_fixed_points(mgdt_mesh *m, int64_t n, const int64_t *points);
 int32_t mgdt_mesh_set_fixed_points_i32(mgdt_mesh *m, int64_t n, const int32_t *points);
+int32_t mgdt_mesh_set_sizes(mgdt_mesh *m, int32_t of, int64_t n, const double *sizes);
 int32_t mgdt_mesh_build(mgdt_mesh *m);
+int32_t mgdt_mesh_refine(mgdt_mesh *m);
 int32_t mgdt_mesh_improve(mgdt_mesh *m);
 int32_t mgdt_mesh_get_stat(const mgdt_mesh *m, int32_t key, int64_t *value);
 int32_t mgdt_mesh_array_info(int32_t array, int32_t *columns, int32_t *is_double);
@@ -300,7 +304,9 @@ return {
         face_areas = 320, face_normals = 321, face_centroids = 322, cell_volumes = 330,
         cell_centroids = 331, cell_face_areas = 332, cell_neighbor_distances = 333 },
     mesh_option = { index_base = 10, threads = 20, memory_limit = 30, goal = 40, boundary = 41,
-        points = 42, mean_passes = 43, most_passes = 44 },
+        points = 42, mean_passes = 43, most_passes = 44, most_points = 45, sizes_of_surface = 46,
+        size = 61, gradation = 62, radius_edge = 63, volume = 64 },
+    sizes = { of_points = 0, of_tetrahedra = 1, of_regions = 2 },
     boundary = { fixed = 0, slide = 1 },
     points = { keep = 0, move = 1, remove = 2 },
     mesh_stat = { points = 100, steiner_points = 101, tetrahedra = 102, regions = 103, faces = 104,
@@ -308,13 +314,15 @@ return {
         keeps_boundary = 124, grid_bits = 121, unused_points = 130, unused_faces = 131,
         unused_regions = 132, unused_holes = 133, planar_facets = 140, missing_facets = 141,
         cavities = 142, largest_cavity = 143, below_goal = 150, passes = 151, moved_points = 152,
-        removed_points = 153 },
+        removed_points = 153, inserted_points = 160, refused = 161 },
+    refusal = { none = 0, hidden = 1, near_point = 2, near_facet = 3, no_cavity = 4,
+        most_points = 5 },
     reason = { none = 0, input_angle = 1, thin_face = 2, fixed_corners = 3, other = 4 },
     mesh_array = { point_origins = 200, tetrahedra = 210, neighbors = 211,
         tetrahedron_regions = 212, region_markers = 220, faces = 230, face_tetrahedra = 231,
         face_facets = 232, face_markers = 233, edges = 240, edge_segments = 241, edge_markers = 242,
         steiner_edges = 250, reasons = 260, angle_histogram = 261, tetrahedra_below = 262,
-        points = 300, steiner_parameters = 310, shapes = 320 },
+        refusals = 270, points = 300, steiner_parameters = 310, shapes = 320, sizes = 330 },
     domain_kind = { facet = 0, segment = 1, point = 2 },
     domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40,
         strict = 50, keep_boundary = 60, weld = 70, flatness = 80 },

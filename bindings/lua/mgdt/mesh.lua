@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
---- Meshes of tetrahedra, and their improvement, for mgdt.lua.
+--- Meshes of tetrahedra, their refinement and their improvement, for mgdt.lua.
 
 local ffi = require "ffi"
 local C = require "mgdt.library"
@@ -27,6 +27,8 @@ local function read(mesh)
     mesh.steiner_count = of_mesh.statistic(mesh.handle, "steiner_points")
     mesh.is_rounded = of_mesh.statistic(mesh.handle, "is_rounded") == 1
     mesh.below_goal = of_mesh.statistic(mesh.handle, "below_goal")
+    mesh.inserted_points = of_mesh.statistic(mesh.handle, "inserted_points")
+    mesh.refused = of_mesh.statistic(mesh.handle, "refused")
 end
 
 --- Proves the mesh, exactly; that of a domain also against the facets and segments, until it is improved. True, or
@@ -80,6 +82,51 @@ function Mesh:improve(given)
     return self
 end
 jit.off(Mesh.improve, true)
+
+local function double(value, name)
+    if type(value) ~= "number" then bad_argument("%s is %s; it must be a number", name, type(value)) end
+    return value
+end
+
+local function switch(value, name)
+    if type(value) ~= "boolean" then bad_argument("%s is %s; it must be true or false", name, type(value)) end
+    return value and 1 or 0
+end
+
+local refinement = { most_points = whole, sizes_of_surface = switch, size = double, gradation = double,
+    radius_edge = double, volume = double }
+local sizes_of = { point_sizes = "of_points", tetrahedron_sizes = "of_tetrahedra", region_sizes = "of_regions" }
+
+--- Inserts points until the tetrahedra have the wanted sizes and shapes; then the mesh has the new arrays. Optional, in
+--- a table: size (of edges everywhere), point_sizes, tetrahedron_sizes and region_sizes (a list with a size for each, 0
+--- for none), sizes_of_surface (whether edges of the surface say how long those at their ends should be), gradation (0.3),
+--- radius_edge (1.4, or 0), volume (0), most_points (0 for no limit), and progress, a function. Numbers that are not given stay
+--- as the last call has set them. `inserted_points` and `refused` count; `refusals` and `sizes` say more. Since 1.4.
+function Mesh:refine(given)
+    local progress
+    for name, value in pairs(given or {}) do
+        local kind = refinement[name]
+        if kind == double then
+            of_mesh.set_double_option(self.handle, name, double(value, name))
+        elseif kind then
+            of_mesh.set_option(self.handle, name, kind(value, name))
+        elseif sizes_of[name] then
+            if type(value) ~= "table" then bad_argument("%s must be a list of numbers", name) end
+            local list = ffi.new("double[?]", #value)
+            for k, size in ipairs(value) do list[k - 1] = double(size, name) end
+            ensure(self.handle, C.mgdt_mesh_set_sizes(self.handle, constants.sizes[sizes_of[name]], #value, list))
+        elseif name == "progress" then
+            progress = value
+        else
+            bad_argument("there is no setting %s", tostring(name))
+        end
+    end
+    local value = of_mesh.watch(self.handle, progress, function(of) return C.mgdt_mesh_refine(of) end)
+    read(self)
+    ensure(self.handle, value)
+    return self
+end
+jit.off(Mesh.refine, true)
 
 -- Places as rows, and what is outside as the library names it.
 local function asked(places, outside)

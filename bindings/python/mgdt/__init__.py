@@ -30,7 +30,7 @@ from .domain import (
     offending_pairs,
 )
 from .interpolation import Interpolator
-from .mesh import Improvement, Mesh
+from .mesh import Improvement, Mesh, Refinement
 from .parallel import ParallelDelaunay
 from .periodic import PeriodicDelaunay, PeriodicVoronoi
 from .scattered import (
@@ -53,6 +53,7 @@ __all__ = [
     "DomainMesh",
     "Error",
     "Improvement",
+    "Refinement",
     "Interpolator",
     "InvalidBoundary",
     "LinearNDInterpolator",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes of tetrahedra, and their improvement."""
+"""Meshes of tetrahedra, their refinement and their improvement."""
 
 from __future__ import annotations
 
@@ -42,6 +42,15 @@ def markers_of(values: Optional[ArrayLike], n: int, name: str) -> Optional[NDArr
     if n and (wide.min() < -(1 << 31) or wide.max() >= 1 << 31):
         raise ValueError(f"{name} must fit 32-bit integers")
     return wide.astype(np.int32)
+
+
+def sizes_of(values: Optional[ArrayLike], n: int, name: str) -> FloatArray:
+    if values is None:
+        return np.empty(0)
+    array = np.ascontiguousarray(as_array(values, name), float)
+    if array.shape != (n,):
+        raise ValueError(f"sizes {name} must have the shape ({n},), not {array.shape}")
+    return array
 
 
 def finite_places(places: ArrayLike) -> tuple[FloatArray, tuple[int, ...], NDArray[np.bool_]]:
@@ -95,6 +104,21 @@ class Improvement(NamedTuple):
     """Tetrahedra below the goal."""
 
 
+class Refinement(NamedTuple):
+    """What `Mesh.refine` has done."""
+
+    inserted: int
+    """Points that were inserted."""
+    refused: int
+    """Tetrahedra that are beyond the sizes and bounds."""
+    refusals: IndexArray
+    """For each tetrahedron 0, or why it was not divided: 1 if a facet is between it and the point that would
+    divide it, 2 if that point is near another one, 3 if it is near a facet, 4 if there is no place for
+    tetrahedra around it, 5 for the most points."""
+    sizes: FloatArray
+    """The size of edges that was wanted at each point, or 0."""
+
+
 class Mesh:
     """A mesh of tetrahedra.
 
@@ -121,11 +145,11 @@ class Mesh:
     Attributes
     ----------
     points : (n, 3) array
-        Those that were given, then those that an improvement has added.
+        Those that were given, then those that a refinement or an improvement has added.
     point_origins : (n,) array
         The given point that each point is, or -1.
     simplices : (m, 4) array
-        Positively oriented. Those that were given keep their order until they are improved.
+        Positively oriented. Those that were given keep their order until they are refined or improved.
     neighbors : (m, 4) array
         The simplices opposite the corners of each; -1 where the mesh ends.
     simplex_regions : (m,) array
@@ -201,24 +225,25 @@ class Mesh:
         build(handle, Gate(), progress, size)
         self._take(handle)
 
-    # Copies are built and improved again from what was given, and share nothing with the original.
+    # Copies are built and changed again from what was given, and share nothing with the original.
 
     def _keep(self, given: dict[str, Any]) -> None:
         self._given = copy.deepcopy(given)
-        # The arguments of all improvements; None once one of them was cancelled.
-        self._improvements: Optional[list[dict[str, Any]]] = []
+        # The names and arguments of all refinements and improvements; None once an improvement was
+        # cancelled.
+        self._changes: Optional[list[tuple[str, dict[str, Any]]]] = []
 
     def __getstate__(self) -> dict[str, Any]:
-        if self._improvements is None:
+        if self._changes is None:
             raise TypeError("a mesh whose improvement was cancelled cannot be copied")
-        return {"given": self._given, "improvements": self._improvements}
+        return {"given": self._given, "changes": self._changes}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         # Version 1.3 has saved what was given alone.
         given = state.get("given", state)
         type(self).__init__(self, **given)
-        for improvement in state.get("improvements", []):
-            self.improve(**improvement)
+        for name, arguments in state.get("changes", []):
+            getattr(self, name)(**arguments)
 
     def _take(self, mesh: MeshHandle) -> None:
         """Takes a mesh of the library."""
@@ -258,6 +283,92 @@ class Mesh:
     def nsimplex(self) -> int:
         """The number of tetrahedra."""
         return len(self.simplices)
+
+    def refine(
+        self,
+        size: float = 0,
+        *,
+        point_sizes: Optional[ArrayLike] = None,
+        simplex_sizes: Optional[ArrayLike] = None,
+        region_sizes: Optional[ArrayLike] = None,
+        sizes_of_surface: bool = False,
+        gradation: float = 0.3,
+        radius_edge: float = 1.4,
+        volume: float = 0,
+        most_points: int = 0,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> Refinement:
+        """Inserts points until the tetrahedra have the wanted sizes and shapes. The attributes have the
+        refined mesh then.
+
+        Of several sizes that are wanted at a place the least one counts. Faces, edges, regions and markers
+        stay. `improve` is the next step, which removes flat tetrahedra. If the call is cancelled, the mesh
+        stays as it was.
+
+        Since 1.4.
+
+        Parameters
+        ----------
+        size : the length of edges everywhere, 0 for any
+        point_sizes : that at each point, 0 for any
+        simplex_sizes : that in each tetrahedron, such as an estimate of an error wants it; 0 for any
+        region_sizes : that in each region, in the order of `region_markers`; 0 for any
+        sizes_of_surface : whether edges at a point are to be as long as those of the surface there
+        gradation : how fast sizes may grow with the distance
+        radius_edge : the most that the radius of a circumsphere should be, in shortest edges of its
+            tetrahedron; 0 for any
+        volume : the most volume that a tetrahedron should have, 0 for any
+        most_points : the most points that are inserted, 0 for any number
+        progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
+
+        Examples
+        --------
+        >>> import mgdt
+        >>> points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]]
+        >>> mesh = mgdt.Mesh(points, [[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]])
+        >>> mesh.refine(0.5).inserted > 0
+        True
+        """
+        mesh = self._mesh
+        lists = {
+            "of_points": (point_sizes, len(self.points)),
+            "of_tetrahedra": (simplex_sizes, len(self.simplices)),
+            "of_regions": (region_sizes, len(self.region_markers)),
+        }
+        sizes = {name: sizes_of(values, n, name) for name, (values, n) in lists.items()}
+
+        def change() -> None:
+            mesh.set_double_option("size", size)
+            mesh.set_double_option("gradation", gradation)
+            mesh.set_double_option("radius_edge", radius_edge)
+            mesh.set_double_option("volume", volume)
+            mesh.set_option("most_points", most_points)
+            mesh.set_option("sizes_of_surface", 1 if sizes_of_surface else 0)
+            for name, values in sizes.items():
+                mesh.call("set_sizes", CONSTANTS["sizes"][name], len(values), address(values))
+
+        # How long it takes is not known before.
+        build(mesh, self._gate, progress, SHORT, change, "refine")
+        self._read()
+        arguments = {
+            "size": size,
+            "point_sizes": point_sizes,
+            "simplex_sizes": simplex_sizes,
+            "region_sizes": region_sizes,
+            "sizes_of_surface": sizes_of_surface,
+            "gradation": gradation,
+            "radius_edge": radius_edge,
+            "volume": volume,
+            "most_points": most_points,
+        }
+        if self._changes is not None:
+            self._changes = [*self._changes, ("refine", copy.deepcopy(arguments))]
+        return Refinement(
+            mesh.statistic("inserted_points"),
+            mesh.statistic("refused"),
+            mesh.array("refusals"),
+            mesh.array("sizes"),
+        )
 
     def improve(
         self,
@@ -307,7 +418,7 @@ class Mesh:
             mesh.set_option("most_passes", most_passes)
             mesh.call("set_fixed_points", len(points), address(points))
 
-        improvements, self._improvements = self._improvements, None
+        changes, self._changes = self._changes, None
         try:
             # A small mesh may need many passes.
             build(mesh, self._gate, progress, SHORT, change, "improve")
@@ -321,8 +432,8 @@ class Mesh:
             "mean_passes": mean_passes,
             "most_passes": most_passes,
         }
-        if improvements is not None:
-            self._improvements = [*improvements, copy.deepcopy(arguments)]
+        if changes is not None:
+            self._changes = [*changes, ("improve", copy.deepcopy(arguments))]
         least, largest, mean = ((float(row[0]), float(row[1])) for row in mesh.array("shapes"))
         return Improvement(
             least,

@@ -224,11 +224,28 @@ enum class MeshOption : std::int32_t {
     index_base = MGDT_MESH_OPTION_INDEX_BASE,
     threads = MGDT_MESH_OPTION_THREADS,
     memory_limit = MGDT_MESH_OPTION_MEMORY_LIMIT,
-    goal = MGDT_MESH_OPTION_GOAL,               /**< @since 1.4 */
-    boundary = MGDT_MESH_OPTION_BOUNDARY,       /**< @since 1.4 */
-    points = MGDT_MESH_OPTION_POINTS,           /**< @since 1.4 */
-    mean_passes = MGDT_MESH_OPTION_MEAN_PASSES, /**< @since 1.4 */
-    most_passes = MGDT_MESH_OPTION_MOST_PASSES  /**< @since 1.4 */
+    goal = MGDT_MESH_OPTION_GOAL,                        /**< @since 1.4 */
+    boundary = MGDT_MESH_OPTION_BOUNDARY,                /**< @since 1.4 */
+    points = MGDT_MESH_OPTION_POINTS,                    /**< @since 1.4 */
+    mean_passes = MGDT_MESH_OPTION_MEAN_PASSES,          /**< @since 1.4 */
+    most_passes = MGDT_MESH_OPTION_MOST_PASSES,          /**< @since 1.4 */
+    most_points = MGDT_MESH_OPTION_MOST_POINTS,          /**< @since 1.4 */
+    sizes_of_surface = MGDT_MESH_OPTION_SIZES_OF_SURFACE /**< @since 1.4 */
+};
+
+/** Options of a mesh that are doubles; see MGDT_MESH_OPTION_SIZE and its neighbours. @since 1.4 */
+enum class MeshDoubleOption : std::int32_t {
+    size = MGDT_MESH_OPTION_SIZE,
+    gradation = MGDT_MESH_OPTION_GRADATION,
+    radius_edge = MGDT_MESH_OPTION_RADIUS_EDGE,
+    volume = MGDT_MESH_OPTION_VOLUME
+};
+
+/** What Mesh::set_sizes() sets sizes of. @since 1.4 */
+enum class Sizes : std::int32_t {
+    of_points = MGDT_SIZES_OF_POINTS,
+    of_tetrahedra = MGDT_SIZES_OF_TETRAHEDRA,
+    of_regions = MGDT_SIZES_OF_REGIONS
 };
 
 /** Statistics of a mesh; see MGDT_MESH_STAT_POINTS and its neighbours. @since 1.3 */
@@ -253,10 +270,12 @@ enum class MeshStatistic : std::int32_t {
     missing_facets = MGDT_MESH_STAT_MISSING_FACETS,
     cavities = MGDT_MESH_STAT_CAVITIES,
     largest_cavity = MGDT_MESH_STAT_LARGEST_CAVITY,
-    below_goal = MGDT_MESH_STAT_BELOW_GOAL,        /**< @since 1.4 */
-    passes = MGDT_MESH_STAT_PASSES,                /**< @since 1.4 */
-    moved_points = MGDT_MESH_STAT_MOVED_POINTS,    /**< @since 1.4 */
-    removed_points = MGDT_MESH_STAT_REMOVED_POINTS /**< @since 1.4 */
+    below_goal = MGDT_MESH_STAT_BELOW_GOAL,           /**< @since 1.4 */
+    passes = MGDT_MESH_STAT_PASSES,                   /**< @since 1.4 */
+    moved_points = MGDT_MESH_STAT_MOVED_POINTS,       /**< @since 1.4 */
+    removed_points = MGDT_MESH_STAT_REMOVED_POINTS,   /**< @since 1.4 */
+    inserted_points = MGDT_MESH_STAT_INSERTED_POINTS, /**< @since 1.4 */
+    refused = MGDT_MESH_STAT_REFUSED                  /**< @since 1.4 */
 };
 
 /** Arrays of integers of a mesh; see MGDT_MESH_ARRAY_POINT_ORIGINS and its neighbours. @since 1.3
@@ -275,16 +294,18 @@ enum class MeshArray : std::int32_t {
     edge_segments = MGDT_MESH_ARRAY_EDGE_SEGMENTS,
     edge_markers = MGDT_MESH_ARRAY_EDGE_MARKERS,
     steiner_edges = MGDT_MESH_ARRAY_STEINER_EDGES,
-    reasons = MGDT_MESH_ARRAY_REASONS,                  /**< @since 1.4 */
-    angle_histogram = MGDT_MESH_ARRAY_ANGLE_HISTOGRAM,  /**< @since 1.4 */
-    tetrahedra_below = MGDT_MESH_ARRAY_TETRAHEDRA_BELOW /**< @since 1.4 */
+    reasons = MGDT_MESH_ARRAY_REASONS,                   /**< @since 1.4 */
+    angle_histogram = MGDT_MESH_ARRAY_ANGLE_HISTOGRAM,   /**< @since 1.4 */
+    tetrahedra_below = MGDT_MESH_ARRAY_TETRAHEDRA_BELOW, /**< @since 1.4 */
+    refusals = MGDT_MESH_ARRAY_REFUSALS                  /**< @since 1.4 */
 };
 
 /** Arrays of doubles of a mesh; see MGDT_MESH_ARRAY_POINTS and its neighbours. @since 1.3 */
 enum class MeshDoubles : std::int32_t {
     points = MGDT_MESH_ARRAY_POINTS,
     steiner_parameters = MGDT_MESH_ARRAY_STEINER_PARAMETERS,
-    shapes = MGDT_MESH_ARRAY_SHAPES /**< @since 1.4 */
+    shapes = MGDT_MESH_ARRAY_SHAPES, /**< @since 1.4 */
+    sizes = MGDT_MESH_ARRAY_SIZES    /**< @since 1.4 */
 };
 
 /** Options of a periodic box; see MGDT_PERIODIC_OPTION_INDEX_BASE and its neighbours. @since 1.3 */

@@ -23,6 +23,7 @@ namespace detail {
 struct MeshCalls {
     using Handle = mgdt_mesh;
     using Option = MeshOption;
+    using DoubleOption = MeshDoubleOption;
     using Statistic = MeshStatistic;
     using Array = MeshArray;
     using Doubles = MeshDoubles;
@@ -32,6 +33,8 @@ struct MeshCalls {
     static constexpr auto get_error = mgdt_mesh_get_error;
     static constexpr auto set_option = mgdt_mesh_set_option;
     static constexpr auto get_option = mgdt_mesh_get_option;
+    static constexpr auto set_double_option = mgdt_mesh_set_double_option;
+    static constexpr auto get_double_option = mgdt_mesh_get_double_option;
     static constexpr auto get_stat = mgdt_mesh_get_stat;
     static constexpr auto array_info = mgdt_mesh_array_info;
     static constexpr auto get_size = mgdt_mesh_get_size;
@@ -51,11 +54,12 @@ struct ShapeSummary {
     std::array<std::int64_t, 6> tetrahedra_below{};
 };
 
-/** A mesh of tetrahedra, which Domain::build() makes, or build(); see mgdt_mesh.h. It can be moved,
- *  not copied.
- *  Options, statistics and arrays: mgdt_mesh_set_option(), mgdt_mesh_get_option(),
+/** A mesh of tetrahedra, which Domain::build() makes, or build(); see mgdt_mesh.h. It can be
+ *  moved, not copied. Options, statistics and arrays: mgdt_mesh_set_option(),
+ *  mgdt_mesh_get_option(), mgdt_mesh_set_double_option(), mgdt_mesh_get_double_option(),
  *  mgdt_mesh_get_stat(), mgdt_mesh_array_info(), mgdt_mesh_get_size(), mgdt_mesh_get_array() and
- *  mgdt_mesh_get_doubles(). @since 1.3 */
+ *  mgdt_mesh_get_doubles().
+ *  @since 1.3 */
 class Mesh : public detail::Results<detail::MeshCalls> {
   public:
     /** Makes a mesh without tetrahedra; mgdt_mesh_create(). @throw OutOfMemory, Error @since 1.4 */
@@ -106,9 +110,20 @@ class Mesh : public detail::Results<detail::MeshCalls> {
                                            points.data()));
     }
 
+    /** Sizes of edges for the next refine(); mgdt_mesh_set_sizes(). None remove those that were
+     *  set.
+     *  @throw OutOfMemory, Error @since 1.4 */
+    void set_sizes(Sizes of, Span<const double> sizes) {
+        require(mgdt_mesh_set_sizes(get(), static_cast<std::int32_t>(of),
+                                    static_cast<std::int64_t>(sizes.size()), sizes.data()));
+    }
+
     /** mgdt_mesh_build(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws @since 1.4 */
     void build() { require(mgdt_mesh_build(get())); }
+    /** mgdt_mesh_refine(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
+     *  throws @since 1.4 */
+    void refine() { require(mgdt_mesh_refine(get())); }
     /** mgdt_mesh_improve(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws @since 1.4 */
     void improve() { require(mgdt_mesh_improve(get())); }

@@ -26,6 +26,7 @@ extern const Command surface_command;
 extern const Command hull_command;
 extern const Command relax_command;
 extern const Command mesh_command;
+extern const Command refine_command;
 extern const Command improve_command;
 extern const Command validate_command;
 

@@ -69,7 +69,7 @@ const Command improve_command = {
         add_output(app, options->output, true);
         add_index_base(app, options->output);
         add_compress(app, options->output);
-        add_improvement(app, options->improvement, {"numbers", "fixed"}, nullptr);
+        add_improvement(app, options->improvement, {"numbers", "fixed"});
         app.add_flag("--check", options->check, "Prove the mesh before writing");
         app.add_flag("--all-points", options->all_points,
                      "Also write points that are in no tetrahedron");

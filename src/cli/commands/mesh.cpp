@@ -13,6 +13,7 @@
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/mesh_program.hpp"
+#include "cli/mesh_refinement.hpp"
 #include "cli/progress.hpp"
 #include "cli/unused_points.hpp"
 
@@ -30,7 +31,9 @@ struct MeshOptions {
     bool strict = false;         // refuse a mesh that leaves out a part of the input
     bool all_points = false;     // also write points that are in no tetrahedron
     bool improve = false;        // improve the tetrahedra before they are written
+    bool not_improved = false;   // do not improve a refined mesh
     ImproveOptions improvement;
+    RefineOptions refinement;
     CleanOptions cleaning;
     int threads = 1;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
@@ -145,8 +148,12 @@ int mesh_surface(const MeshOptions& options) {
         said = clean(domain, name, options);
         mgdt::Mesh made = build(domain, name, options);
         if (!options.quiet) warn_of_losses(made, name);
-        if (options.improve)
-            said += improve_mesh(made, options.improvement, options.check, options.quiet, name);
+        const bool is_refined = options.refinement.is_asked_for();
+        if (is_refined) said += refine_mesh(made, options.refinement, options.quiet, name);
+        const bool is_improved = options.improve || (is_refined && !options.not_improved);
+        if (is_improved)
+            said += improve_mesh(made, options.improvement, false, options.quiet, name);
+        if (options.check && (is_refined || is_improved)) require_sound(made, name);
         n_steiner = static_cast<std::size_t>(made.statistic(MeshStatistic::steiner_points));
         n_regions = static_cast<std::size_t>(made.statistic(MeshStatistic::regions));
         mesh = mesh_of(made);
@@ -189,7 +196,11 @@ const Command mesh_command = {
         CLI::Option* const improve = app.add_flag(
             "--improve", options->improve,
             "Improve the tetrahedra: exchange edges and faces, move and insert points");
-        add_improvement(app, options->improvement, {"all", "slide"}, improve);
+        app.add_flag("--no-improve", options->not_improved,
+                     "Leave a mesh with wanted sizes as its refinement has made it")
+            ->excludes(improve);
+        add_refinement(app, options->refinement);
+        add_improvement(app, options->improvement, {"all", "slide"});
         app.add_flag("--check", options->check, "Prove the mesh before writing");
         app.add_flag("--rounded", options->rounded,
                      "Write points rounded to 2^-36 of the largest coordinate, so that facets are "
@@ -197,14 +208,24 @@ const Command mesh_command = {
         app.add_flag("--strict", options->strict,
                      "Refuse a mesh that leaves out facets, points, regions or holes");
         app.add_flag("--keep-surface", options->keeps_surface,
-                     "Keep every facet and every segment as it is, and add points inside only");
+                     "Keep every facet and every segment as it is, and add points inside only; an "
+                     "improvement keeps the boundary fixed then");
         app.add_flag("--all-points", options->all_points,
                      "Also write points that are in no tetrahedron");
         add_cleaning(app, options->cleaning);
         add_limits(app, options->threads, options->memory_limit);
         app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
         app.footer(formats_and_exit_codes);
-        return [options] { return mesh_surface(*options); };
+        return [options, &app] {
+            if (options->keeps_surface && app.count("--boundary") == 0)
+                options->improvement.boundary = "fixed";
+            const bool is_improved =
+                options->improve || (options->refinement.is_asked_for() && !options->not_improved);
+            for (const char* const name : improvement_options)
+                if (app.count(name) > 0 && !is_improved)
+                    throw Error(exit_usage, fmt::format("{} needs --improve", name));
+            return mesh_surface(*options);
+        };
     }};
 
 }  // namespace mgdt::cli

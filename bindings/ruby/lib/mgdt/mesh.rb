@@ -73,6 +73,8 @@ module Mgdt
     # 0 to 10 degrees, 10 to 20 and so on, before and after; how many tetrahedra have an angle below 5, 10, 15, 20, 25
     # and 30 degrees; and the least and the largest angle, in degrees, and the mean shape.
     attr_reader :reasons, :angle_histogram, :tetrahedra_below, :shapes
+    # After a refinement: why each tetrahedron was not divided, or 0; and the size that was wanted at each point.
+    attr_reader :refusals, :sizes
 
     # Points as for Triangulation#insert; tetrahedra as Arrays of four corners. Optional: markers of
     # tetrahedra; faces, [a, b, c] each, and edges, [a, b] each, that have to stay, with face_markers and
@@ -120,6 +122,36 @@ module Mgdt
       @mesh.ensure_good(status)
       self
     end
+
+    # Inserts points until the tetrahedra have the wanted sizes and shapes. size is that of edges everywhere;
+    # point_sizes, tetrahedron_sizes and region_sizes have one for each, 0 for none; sizes_of_surface says whether edges
+    # of the surface tell how long those at their ends should be. Numbers that are not given stay as the last call has set
+    # them. A block hears of progress.
+    def refine(size: nil, point_sizes: nil, tetrahedron_sizes: nil, region_sizes: nil, sizes_of_surface: nil,
+               gradation: nil, radius_edge: nil, volume: nil, most_points: nil, &progress)
+      { size: size, gradation: gradation, radius_edge: radius_edge, volume: volume }.each do |name, value|
+        @mesh.set_double_option(name, Float(value)) unless value.nil?
+      end
+      @mesh.set_option(:most_points, whole(most_points, :most_points, 31)) unless most_points.nil?
+      @mesh.set_option(:sizes_of_surface, sizes_of_surface ? 1 : 0) unless sizes_of_surface.nil?
+      { of_points: point_sizes, of_tetrahedra: tetrahedron_sizes, of_regions: region_sizes }.each do |name, sizes|
+        next if sizes.nil?
+        raise argument("sizes must be an Array of numbers") unless sizes.is_a?(Array) && sizes.all?(Numeric)
+
+        @mesh.call(:set_sizes, CONSTANTS[:sizes].fetch(name), sizes.size, sizes.pack("d*"))
+      end
+      begin
+        status = watched(progress, :refine)
+      ensure
+        read
+      end
+      @mesh.ensure_good(status)
+      self
+    end
+
+    # How many points the last refinement has inserted, and how many tetrahedra it has left beyond the bounds.
+    def inserted_points = @mesh.statistic(:inserted_points)
+    def refused = @mesh.statistic(:refused)
 
     # How many tetrahedra the last improvement has left below the goal.
     def below_goal = @mesh.statistic(:below_goal)

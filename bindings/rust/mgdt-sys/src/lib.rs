@@ -171,6 +171,16 @@ pub const MGDT_MESH_OPTION_BOUNDARY: i32 = 41;
 pub const MGDT_MESH_OPTION_POINTS: i32 = 42;
 pub const MGDT_MESH_OPTION_MEAN_PASSES: i32 = 43;
 pub const MGDT_MESH_OPTION_MOST_PASSES: i32 = 44;
+pub const MGDT_MESH_OPTION_MOST_POINTS: i32 = 45;
+pub const MGDT_MESH_OPTION_SIZES_OF_SURFACE: i32 = 46;
+pub const MGDT_MESH_OPTION_SIZE: i32 = 61;
+pub const MGDT_MESH_OPTION_GRADATION: i32 = 62;
+pub const MGDT_MESH_OPTION_RADIUS_EDGE: i32 = 63;
+pub const MGDT_MESH_OPTION_VOLUME: i32 = 64;
+
+pub const MGDT_SIZES_OF_POINTS: i32 = 0;
+pub const MGDT_SIZES_OF_TETRAHEDRA: i32 = 1;
+pub const MGDT_SIZES_OF_REGIONS: i32 = 2;
 
 pub const MGDT_BOUNDARY_FIXED: i32 = 0;
 pub const MGDT_BOUNDARY_SLIDE: i32 = 1;
@@ -203,6 +213,15 @@ pub const MGDT_MESH_STAT_BELOW_GOAL: i32 = 150;
 pub const MGDT_MESH_STAT_PASSES: i32 = 151;
 pub const MGDT_MESH_STAT_MOVED_POINTS: i32 = 152;
 pub const MGDT_MESH_STAT_REMOVED_POINTS: i32 = 153;
+pub const MGDT_MESH_STAT_INSERTED_POINTS: i32 = 160;
+pub const MGDT_MESH_STAT_REFUSED: i32 = 161;
+
+pub const MGDT_REFUSAL_NONE: i32 = 0;
+pub const MGDT_REFUSAL_HIDDEN: i32 = 1;
+pub const MGDT_REFUSAL_NEAR_POINT: i32 = 2;
+pub const MGDT_REFUSAL_NEAR_FACET: i32 = 3;
+pub const MGDT_REFUSAL_NO_CAVITY: i32 = 4;
+pub const MGDT_REFUSAL_MOST_POINTS: i32 = 5;
 
 pub const MGDT_REASON_NONE: i32 = 0;
 pub const MGDT_REASON_INPUT_ANGLE: i32 = 1;
@@ -226,9 +245,11 @@ pub const MGDT_MESH_ARRAY_STEINER_EDGES: i32 = 250;
 pub const MGDT_MESH_ARRAY_REASONS: i32 = 260;
 pub const MGDT_MESH_ARRAY_ANGLE_HISTOGRAM: i32 = 261;
 pub const MGDT_MESH_ARRAY_TETRAHEDRA_BELOW: i32 = 262;
+pub const MGDT_MESH_ARRAY_REFUSALS: i32 = 270;
 pub const MGDT_MESH_ARRAY_POINTS: i32 = 300;
 pub const MGDT_MESH_ARRAY_STEINER_PARAMETERS: i32 = 310;
 pub const MGDT_MESH_ARRAY_SHAPES: i32 = 320;
+pub const MGDT_MESH_ARRAY_SIZES: i32 = 330;
 
 pub const MGDT_DOMAIN_KIND_FACET: i32 = 0;
 pub const MGDT_DOMAIN_KIND_SEGMENT: i32 = 1;
@@ -712,6 +733,12 @@ extern "C" {
     pub fn mgdt_mesh_destroy(m: *mut mgdt_mesh);
     pub fn mgdt_mesh_set_option(m: *mut mgdt_mesh, option: i32, value: i64) -> mgdt_status;
     pub fn mgdt_mesh_get_option(m: *const mgdt_mesh, option: i32, value: *mut i64) -> mgdt_status;
+    pub fn mgdt_mesh_set_double_option(m: *mut mgdt_mesh, option: i32, value: f64) -> mgdt_status;
+    pub fn mgdt_mesh_get_double_option(
+        m: *const mgdt_mesh,
+        option: i32,
+        value: *mut f64,
+    ) -> mgdt_status;
     pub fn mgdt_mesh_set_progress(
         m: *mut mgdt_mesh,
         callback: mgdt_progress_fn,
@@ -766,7 +793,14 @@ extern "C" {
         n: i64,
         points: *const i32,
     ) -> mgdt_status;
+    pub fn mgdt_mesh_set_sizes(
+        m: *mut mgdt_mesh,
+        of: i32,
+        n: i64,
+        sizes: *const f64,
+    ) -> mgdt_status;
     pub fn mgdt_mesh_build(m: *mut mgdt_mesh) -> mgdt_status;
+    pub fn mgdt_mesh_refine(m: *mut mgdt_mesh) -> mgdt_status;
     pub fn mgdt_mesh_improve(m: *mut mgdt_mesh) -> mgdt_status;
     pub fn mgdt_mesh_get_stat(m: *const mgdt_mesh, key: i32, value: *mut i64) -> mgdt_status;
     pub fn mgdt_mesh_array_info(array: i32, columns: *mut i32, is_double: *mut i32) -> mgdt_status;

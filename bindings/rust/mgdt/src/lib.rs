@@ -32,7 +32,9 @@ mod voronoi;
 pub use domain::{Domain, DomainArray, DomainPart, DomainStatistic};
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
-pub use mesh::{Boundary, GivenPoints, Mesh, MeshArray, MeshDoubles, MeshStatistic, Reason, ShapeSummary};
+pub use mesh::{
+    Boundary, GivenPoints, Mesh, MeshArray, MeshDoubles, MeshStatistic, Reason, Refusal, ShapeSummary, SizesOf,
+};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};
 pub use periodic::{Periodic, PeriodicArray, PeriodicStatistic};
 pub use triangulation::{Canceller, Triangulation};

@@ -49,6 +49,8 @@ pub enum MeshArray {
     /// Six rows, before and after: how many tetrahedra have an angle below 5, 10, 15, 20, 25 and 30 degrees.
     /// Since 1.4.
     TetrahedraBelow = sys::MGDT_MESH_ARRAY_TETRAHEDRA_BELOW,
+    /// Why the last refinement has not divided each tetrahedron, a [`Refusal`] as a number. Since 1.4.
+    Refusals = sys::MGDT_MESH_ARRAY_REFUSALS,
 }
 
 /// Arrays of doubles of a [`Mesh`].
@@ -63,6 +65,8 @@ pub enum MeshDoubles {
     /// Three rows, before and after the improvement: the least and the largest dihedral angle, in degrees,
     /// and the mean shape. Since 1.4.
     Shapes = sys::MGDT_MESH_ARRAY_SHAPES,
+    /// For each point the size of edges that the last refinement has wanted there, or 0. Since 1.4.
+    Sizes = sys::MGDT_MESH_ARRAY_SIZES,
 }
 
 /// What an improvement may do to faces and edges that the mesh lists. Since 1.4.
@@ -104,6 +108,38 @@ pub enum Reason {
     FixedCorners = sys::MGDT_REASON_FIXED_CORNERS,
     /// Anything else.
     Other = sys::MGDT_REASON_OTHER,
+}
+
+/// What [`Mesh::set_sizes`] sets sizes of. Since 1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum SizesOf {
+    /// Each point of the mesh.
+    Points = sys::MGDT_SIZES_OF_POINTS,
+    /// Each tetrahedron.
+    Tetrahedra = sys::MGDT_SIZES_OF_TETRAHEDRA,
+    /// Each region.
+    Regions = sys::MGDT_SIZES_OF_REGIONS,
+}
+
+/// Why a refinement has not divided a tetrahedron. Since 1.4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Refusal {
+    /// It is within the sizes and bounds.
+    None = sys::MGDT_REFUSAL_NONE,
+    /// A face of a facet is between it and the point that would divide it.
+    Hidden = sys::MGDT_REFUSAL_HIDDEN,
+    /// That point is too near to another one.
+    NearPoint = sys::MGDT_REFUSAL_NEAR_POINT,
+    /// That point is near a facet, and would leave as many tetrahedra beyond the bounds.
+    NearFacet = sys::MGDT_REFUSAL_NEAR_FACET,
+    /// Around that point is no place for tetrahedra with a positive volume.
+    NoCavity = sys::MGDT_REFUSAL_NO_CAVITY,
+    /// The most points were inserted.
+    MostPoints = sys::MGDT_REFUSAL_MOST_POINTS,
 }
 
 /// The shapes of all tetrahedra of a [`Mesh`]. Since 1.4.
@@ -175,6 +211,10 @@ pub enum MeshStatistic {
     MovedPoints = sys::MGDT_MESH_STAT_MOVED_POINTS,
     /// Points that were set and have lost all of their tetrahedra. Since 1.4.
     RemovedPoints = sys::MGDT_MESH_STAT_REMOVED_POINTS,
+    /// Points that the last refinement has inserted. Since 1.4.
+    InsertedPoints = sys::MGDT_MESH_STAT_INSERTED_POINTS,
+    /// Tetrahedra that it has left beyond the sizes and bounds. Since 1.4.
+    Refused = sys::MGDT_MESH_STAT_REFUSED,
 }
 
 /// A mesh of tetrahedra, which [`Domain::build`](crate::Domain::build) makes and which outlives the
@@ -223,7 +263,7 @@ impl Keyed for Mesh {
     const CALLS: Calls<sys::mgdt_mesh> = Calls {
         get_error: sys::mgdt_mesh_get_error,
         set_option: Some(sys::mgdt_mesh_set_option),
-        set_double_option: None,
+        set_double_option: Some(sys::mgdt_mesh_set_double_option),
         get_stat: sys::mgdt_mesh_get_stat,
         get_size: sys::mgdt_mesh_get_size,
         get_array: sys::mgdt_mesh_get_array,
@@ -288,6 +328,44 @@ impl Mesh {
         self.set_option(sys::MGDT_MESH_OPTION_MOST_PASSES, i64::from(passes))
     }
 
+    /// The size of edges that [`refine`](Mesh::refine) wants everywhere; 0 (at first) for none. Since 1.4.
+    pub fn set_size(&mut self, size: f64) -> Result<(), Error> {
+        self.set_double_option(sys::MGDT_MESH_OPTION_SIZE, size)
+    }
+
+    /// How fast sizes may grow with the distance; 0.3 at first. Since 1.4.
+    pub fn set_gradation(&mut self, gradation: f64) -> Result<(), Error> {
+        self.set_double_option(sys::MGDT_MESH_OPTION_GRADATION, gradation)
+    }
+
+    /// The most that a circumradius should be, in shortest edges: 1.4 at first, 0 for no bound. Since 1.4.
+    pub fn set_radius_edge(&mut self, ratio: f64) -> Result<(), Error> {
+        self.set_double_option(sys::MGDT_MESH_OPTION_RADIUS_EDGE, ratio)
+    }
+
+    /// The most volume that a tetrahedron should have; 0 (at first) for no bound. Since 1.4.
+    pub fn set_volume(&mut self, volume: f64) -> Result<(), Error> {
+        self.set_double_option(sys::MGDT_MESH_OPTION_VOLUME, volume)
+    }
+
+    /// Whether edges of the surface say how long those at their ends should be. Since 1.4.
+    pub fn set_sizes_of_surface(&mut self, of_surface: bool) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_SIZES_OF_SURFACE, i64::from(of_surface))
+    }
+
+    /// The most points that one refinement inserts; 0 (at first) for no limit. Since 1.4.
+    pub fn set_most_points(&mut self, points: u32) -> Result<(), Error> {
+        self.set_option(sys::MGDT_MESH_OPTION_MOST_POINTS, i64::from(points))
+    }
+
+    /// Sets sizes of edges for the next [`refine`](Mesh::refine): one for each point, tetrahedron or region, 0 for
+    /// none. An empty slice removes them. Since 1.4.
+    pub fn set_sizes(&mut self, of: SizesOf, sizes: &[f64]) -> Result<(), Error> {
+        self.ensure(unsafe {
+            sys::mgdt_mesh_set_sizes(self.raw(), of as i32, as_i64(sizes.len()), sizes.as_ptr())
+        })
+    }
+
     /// Sets the points. Tetrahedra, faces, edges and fixed points that were set before are removed. Since 1.4.
     pub fn set_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         self.ensure(unsafe {
@@ -334,6 +412,34 @@ impl Mesh {
         self.ensure(unsafe { sys::mgdt_mesh_build(self.raw()) })
     }
 
+    /// Inserts points until the tetrahedra have the wanted sizes and shapes. Since 1.4.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), mgdt::Error> {
+    /// let mut m = mgdt::Mesh::new()?;
+    /// m.set_points(&[[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.], [1., 1., 1.]])?;
+    /// m.set_tetrahedra(&[[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]], None)?;
+    /// m.build()?;
+    /// m.set_size(0.5)?;
+    /// m.refine()?;
+    /// assert!(m.statistic(mgdt::MeshStatistic::Tetrahedra) > 4);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn refine(&mut self) -> Result<(), Error> {
+        self.ensure(unsafe { sys::mgdt_mesh_refine(self.raw()) })
+    }
+
+    /// The same with a closure that hears of progress, as
+    /// [`insert_with_progress`](crate::Triangulation::insert_with_progress) has it. A mesh whose refinement is
+    /// stopped stays as it was. Since 1.4.
+    pub fn refine_with_progress<F>(&mut self, progress: F) -> Result<(), Error>
+    where
+        F: FnMut(f64) -> ControlFlow<()>,
+    {
+        self.change_with_progress(progress, sys::mgdt_mesh_refine)
+    }
+
     /// Improves the tetrahedra until all dihedral angles reach the goal, or nothing helps. Since 1.4.
     pub fn improve(&mut self) -> Result<(), Error> {
         self.ensure(unsafe { sys::mgdt_mesh_improve(self.raw()) })
@@ -346,10 +452,21 @@ impl Mesh {
     where
         F: FnMut(f64) -> ControlFlow<()>,
     {
+        self.change_with_progress(progress, sys::mgdt_mesh_improve)
+    }
+
+    fn change_with_progress<F>(
+        &mut self,
+        progress: F,
+        change: unsafe extern "C" fn(*mut sys::mgdt_mesh) -> sys::mgdt_status,
+    ) -> Result<(), Error>
+    where
+        F: FnMut(f64) -> ControlFlow<()>,
+    {
         let m = self.raw();
         let status = watched(progress, |report, user| unsafe {
             sys::mgdt_mesh_set_progress(m, Some(report), user);
-            let status = sys::mgdt_mesh_improve(m);
+            let status = change(m);
             sys::mgdt_mesh_set_progress(m, None, ptr::null_mut());
             status
         });

@@ -306,6 +306,54 @@ fn a_mesh() {
 }
 
 #[test]
+fn a_refinement() {
+    use std::ops::ControlFlow;
+    let markers: Vec<_> = integers("block_given_markers").iter().map(|&k| k as i32).collect();
+    let mut m = mgdt::Mesh::new().unwrap();
+    m.set_points(&places("block_given_points")).unwrap();
+    m.set_tetrahedra(&indices("block_given_tetrahedra"), Some(&markers)).unwrap();
+    m.set_faces(&indices::<3>("block_given_faces"), Some(&[9])).unwrap();
+    m.build().unwrap();
+    m.set_size(0.75).unwrap();
+    m.set_gradation(0.5).unwrap();
+    m.set_radius_edge(1.5).unwrap();
+    m.set_volume(0.125).unwrap();
+    m.set_sizes_of_surface(true).unwrap();
+    m.set_most_points(2000).unwrap();
+    m.set_sizes(mgdt::SizesOf::Regions, &[0.45, 0.0]).unwrap();
+    let mut of_points = vec![0.0; 125];
+    of_points[0] = 0.3;
+    m.set_sizes(mgdt::SizesOf::Points, &of_points).unwrap();
+    let mut of_tetrahedra = vec![0.0; 384];
+    of_tetrahedra[383] = 0.25;
+    m.set_sizes(mgdt::SizesOf::Tetrahedra, &of_tetrahedra).unwrap();
+    let mut heard = 0;
+    m.refine_with_progress(|_| {
+        heard += 1;
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(heard > 0);
+    m.check().unwrap();
+    assert_eq!(plain(m.tetrahedra().unwrap()), rows::<4>("refined_tetrahedra"));
+    assert_eq!(m.points().unwrap(), places("refined_points"));
+    assert_eq!(m.array(mgdt::MeshArray::Refusals).unwrap(), integers("refined_refusals"));
+    assert_eq!(m.doubles(mgdt::MeshDoubles::Sizes).unwrap(), doubles("refined_sizes"));
+    let refusals = integers("refined_refusals");
+    let refused = refusals.iter().filter(|&&r| r != mgdt::Refusal::None as i64).count();
+    assert_eq!(m.statistic(mgdt::MeshStatistic::Refused), refused);
+    assert_eq!(m.statistic(mgdt::MeshStatistic::InsertedPoints) + 125, m.statistic(mgdt::MeshStatistic::Points));
+    m.set_size(0.2).unwrap();
+    let stopped = m.refine_with_progress(|_| ControlFlow::Break(())).unwrap_err();
+    assert_eq!(stopped.kind(), mgdt::ErrorKind::Cancelled);
+    assert_eq!(m.points().unwrap(), places("refined_points"));
+    m.refine().unwrap();
+    m.check().unwrap();
+    assert!(m.set_size(-1.0).is_err());
+    assert!(m.set_sizes(mgdt::SizesOf::Regions, &[1.0]).is_err());
+}
+
+#[test]
 fn what_a_domain_refuses() {
     use mgdt::{DomainPart::Facet, ErrorKind};
     let mut d = given_domain();
