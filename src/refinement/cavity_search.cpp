@@ -11,18 +11,23 @@ namespace mgdt {
 namespace {
 
 // The states of a member of the cavity when that shrinks.
-constexpr std::uint8_t is_removed = 1, is_reached = 2;
+constexpr std::uint8_t is_removed = 1, is_reached = 2, is_leaving = 4;
 
 struct CavityTetrahedra {
     const Tetrahedron& of(FacetCode code) const { return mesh.tetrahedra[tetrahedron_of(code)]; }
     const Mesh& mesh;
 };
 
+double volume_of(const double* q, const double* a, const double* b, const double* c,
+                 double& size) noexcept {
+    return rounded_volume(difference<double>(a, q), difference<double>(b, q),
+                          difference<double>(c, q), size);
+}
+
 // Whether the tetrahedron (q, a, b, c) is positive, exactly.
 bool is_positive(const double* q, const double* a, const double* b, const double* c) noexcept {
     double size;
-    const double volume = rounded_volume(difference<double>(a, q), difference<double>(b, q),
-                                         difference<double>(c, q), size);
+    const double volume = volume_of(q, a, b, c, size);
     const double error = volume_error * size + least_product;
     if (volume > error) return true;
     if (volume < -error) return false;
@@ -44,21 +49,56 @@ bool CavitySearch::sees_all(const Mesh& mesh, const double* q) const noexcept {
                        [&](FacetCode outside) { return sees(mesh, outside, q); });
 }
 
-bool CavitySearch::contains(const Mesh& mesh, TetId id, const double* q) const noexcept {
-    const Corners4 t(mesh.tetrahedra[id]);
-    for (unsigned i = 0; i < 4; ++i) {
-        const unsigned char* const f = outer_face[i];
-        // Beyond face i, (q, a, b, c) is positive.
-        if (is_positive(q, mesh.point(t.v[f[0]]), mesh.point(t.v[f[1]]), mesh.point(t.v[f[2]])))
-            return false;
+// Walks straight from the centroid of the point's tetrahedron to the point, and ends at walls: what
+// is behind them has no place for the point, and may have a cavity of very many tetrahedra.
+CavitySearch::Outcome CavitySearch::walk(const WalledMesh& walled, const NewPoint& point) noexcept {
+    const Mesh& mesh = walled.mesh;
+    const double* const q = point.x;
+    double from[3];
+    {
+        const Tetrahedron& t = mesh.tetrahedra[point.start];
+        for (int k = 0; k < 3; ++k)
+            from[k] = 0.25 * ((mesh.point(t.v[0])[k] + mesh.point(t.v[1])[k]) +
+                              (mesh.point(t.v[2])[k] + mesh.point(t.v[3])[k]));
     }
-    return true;
+    refusal_ = Refusal::hidden;
+    container_ = point.start;
+    unsigned entry = 4;
+    constexpr int most_steps = 10000;
+    for (int step = 0; step < most_steps; ++step) {
+        const Tetrahedron& t = mesh.tetrahedra[container_];
+        unsigned exit = 4;
+        double least = 2;
+        for (unsigned i = 0; i < 4; ++i) {
+            if (i == entry) continue;
+            const double* const a = mesh.point(t.v[outer_face[i][0]]);
+            const double* const b = mesh.point(t.v[outer_face[i][1]]);
+            const double* const c = mesh.point(t.v[outer_face[i][2]]);
+            // Beyond face i, (q, a, b, c) is positive.
+            if (!is_positive(q, a, b, c)) continue;
+            double unused;
+            const double there = volume_of(q, a, b, c, unused),
+                         here = volume_of(from, a, b, c, unused);
+            const double passed = there > here ? -here / (there - here) : 1;
+            if (exit != 4 && !(passed < least)) continue;
+            exit = i;
+            least = passed;
+        }
+        if (exit == 4) return Outcome::found;
+        if (walled.is_wall(facet_code(container_, exit))) return Outcome::refused;
+        const FacetCode next = t.n[exit];
+        container_ = tetrahedron_of(next);
+        if (mesh.tetrahedra.sphere(container_).is_closed()) return Outcome::closed;
+        entry = face_of(next);
+    }
+    return Outcome::refused;
 }
 
 CavitySearch::Outcome CavitySearch::find(RefinedMesh& mesh, const KernelCalls& kernel,
                                          NewPoint& point) {
     Workspace& w = workspace;
     WalledMesh& walled = mesh.walled;
+    if (const Outcome reached = walk(walled, point); reached != Outcome::found) return reached;
     if (!kernel.dig_walled(walled.mesh, w, walled.walls.data(), point.x, point.start))
         return Outcome::closed;
     refusal_ = Refusal::none;
@@ -92,16 +132,13 @@ Refusal CavitySearch::shrink(WalledMesh& walled, const double* q) {
     Workspace& w = workspace;
     members_.clear();
     removed_.clear();
-    TetId first = no_tetrahedron;
     for (std::size_t i = 0; i < w.cavity_size; ++i) {
-        const TetId t = tetrahedron_of(w.cavity.data[i]);
-        members_.number(t);
+        members_.number(tetrahedron_of(w.cavity.data[i]));
         removed_.push_back(0);
-        if (first == no_tetrahedron && contains(walled.mesh, t, q)) first = t;
     }
-    if (first == no_tetrahedron) return Refusal::hidden;
-    while (!dig_within_members(walled, first, q))
-        if ((removed_[members_.number(first)] & is_removed) != 0) {
+    if (members_.lookup()(container_) == no_index) return Refusal::shapeless;
+    while (!dig_within_members(walled, container_, q))
+        if ((removed_[members_.number(container_)] & is_leaving) != 0) {
             w.cavity_size = members_.size();
             for (std::uint32_t i = 0; i < members_.size(); ++i)
                 w.cavity.data[i] = first_facet(members_.name(i));
@@ -114,17 +151,19 @@ Refusal CavitySearch::shrink(WalledMesh& walled, const double* q) {
 }
 
 // Digs the cavity anew from `first`, in the members that have not been removed. If the point does
-// not see a facet of the boundary, removes the member there and returns false.
+// not see facets of the boundary, removes the members there and returns false.
 bool CavitySearch::dig_within_members(const WalledMesh& walled, TetId first, const double* q) {
     Workspace& w = workspace;
     const Mesh& mesh = walled.mesh;
-    for (std::uint8_t& state : removed_) state &= is_removed;
+    for (std::uint8_t& state : removed_)
+        state = (state & (is_removed | is_leaving)) != 0 ? is_removed : 0;
     const auto member = members_.lookup();
     const Corners4 begin(mesh.tetrahedra[first]);
     for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = begin.v[i];
     w.first_corners[0] = begin.v[1];
     // The new list is no longer than the old one, whose members are in members_.
     std::size_t size = 0, facets = 0;
+    bool sees_boundary = true;
     w.cavity.data[size++] = first_facet(first);
     removed_[member(first)] |= is_reached;
     for (std::size_t i = 0; i < size; ++i) {
@@ -135,8 +174,8 @@ bool CavitySearch::dig_within_members(const WalledMesh& walled, TetId first, con
             if (other == no_index || removed_[other] == is_removed ||
                 walled.is_wall(facet_code(t, k))) {
                 if (!sees(mesh, beyond, q)) {
-                    removed_[member(t)] = is_removed;
-                    return false;
+                    removed_[member(t)] |= is_leaving;
+                    sees_boundary = false;
                 }
                 w.boundary.data[facets++] = beyond;
             } else if ((removed_[other] & is_reached) == 0) {
@@ -147,7 +186,7 @@ bool CavitySearch::dig_within_members(const WalledMesh& walled, TetId first, con
     }
     w.cavity_size = size;
     w.boundary_size = facets;
-    return true;
+    return sees_boundary;
 }
 
 // Whether all vertices of the cavity, and all edges that the mesh keeps, are on its boundary.

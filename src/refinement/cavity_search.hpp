@@ -37,10 +37,10 @@ class CavitySearch {
     Workspace workspace;
 
   private:
+    Outcome walk(const WalledMesh& mesh, const NewPoint& point) noexcept;
     Refusal judge(const RefinedMesh& mesh, NewPoint& point);
     bool sees(const Mesh& mesh, FacetCode outside, const double* q) const noexcept;
     bool sees_all(const Mesh& mesh, const double* q) const noexcept;
-    bool contains(const Mesh& mesh, TetId t, const double* q) const noexcept;
     Refusal shrink(WalledMesh& mesh, const double* q);
     bool dig_within_members(const WalledMesh& mesh, TetId first, const double* q);
     bool keeps_all(const WalledMesh& mesh);
@@ -50,8 +50,9 @@ class CavitySearch {
 
     Refusal refusal_ = Refusal::none;
     Numbers members_;
-    Buffer<std::uint8_t> removed_;  // of members: whether the cavity has shrunk from them
-    std::uint32_t vertices_ = 0;    // of the cavity
+    Buffer<std::uint8_t> removed_;      // of members: whether the cavity has shrunk from them
+    TetId container_ = no_tetrahedron;  // the tetrahedron that contains the point
+    std::uint32_t vertices_ = 0;        // of the cavity
 };
 
 }  // namespace mgdt

@@ -21,21 +21,32 @@ ElementBounds bounds_of(const RefinementOptions& options, double scale) {
     return bounds;
 }
 
-// A lattice for a mesh with one size; no lattice for sizes that vary.
+// A lattice for a mesh with one size; no lattice for sizes that vary, or that are too small for
+// doubles to tell its points apart.
 CubicLattice lattice_for(const Buffer<double>& sizes) {
     // The mean edge of the lattice is 0.924 steps long.
-    constexpr double steps_per_size = 1.09, off_origin = 0.0123;
+    constexpr double steps_per_size = 1.09, off_origin = 0.0123, least_size = 0x1p-40;
     CubicLattice lattice;
     double least = infinite_size, most = 0;
     for (std::size_t v = 1; v < sizes.size(); ++v) {
         least = std::min(least, sizes[v]);
         most = std::max(most, sizes[v]);
     }
-    if (least < most || !(least < infinite_size)) return lattice;
+    if (least < most || !(least < infinite_size) || least < least_size) return lattice;
     lattice.step = steps_per_size * least;
     // Walls are often where coordinates are round numbers.
     for (double& x : lattice.origin) x = off_origin * lattice.step;
     return lattice;
+}
+
+// Whether scaling has changed no corner: some coordinates may be so much smaller than others that
+// they are rounded, and tetrahedra become flat.
+bool is_exact(const LinkedMesh& linked, const SolidMesh& mesh) {
+    return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&](std::uint32_t v) {
+        for (std::size_t k = 3 * std::size_t{v}; k < 3 * std::size_t{v} + 3; ++k)
+            if (linked.x[k] / linked.scale() != mesh.points[k]) return false;
+        return true;
+    });
 }
 
 // Refuses sizes that would take more points than there are numbers for.
@@ -59,7 +70,7 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
     constexpr double begun = 0.1, refined = 0.9;
     LinkedMesh linked(mesh, team, allocator);
     RefinementReport made(report.sizes.allocator());
-    if (linked.can_move()) {
+    if (linked.can_move() && is_exact(linked, mesh)) {
         const double scale = linked.scale();
         RefinedMesh refined_mesh(linked, team, allocator);
         refined_mesh.bounds = bounds_of(options, scale);
@@ -97,7 +108,8 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
             made.refusals.push_back(verdict.is_bad() ? Refusal::no_points_left : verdict.refusal());
         }
     } else {
-        made.refusals.resize(linked.tetrahedra.size(), Refusal::none);
+        // There is no way to write points between the given ones.
+        made.refusals.resize(linked.tetrahedra.size(), Refusal::shapeless);
         made.sizes.resize(mesh.points.size() / 3, 0);
     }
     SolidMesh result(mesh.points.allocator());

@@ -68,9 +68,11 @@ struct RefinedMesh {
 
     // Roughly, how many points divide a tetrahedron until its parts have the wanted sizes.
     double wanted_points(const VertexId (&v)[4]) const noexcept {
-        constexpr double points_in_cube = 1.6;
-        const double size = mean_size(v), volume = volume_of(v);
-        return 1 + points_in_cube * volume / (size * size * size) + volume / bounds.volume;
+        constexpr double points_in_cube = 1.6, most = 1e15;
+        const double size = mean_size(v), volume = std::max(volume_of(v), 0.0);
+        const double wanted =
+            points_in_cube * (volume / size / size / size) + volume / bounds.volume;
+        return 1 + (wanted < most ? wanted : most);
     }
     double volume_of(const VertexId (&v)[4]) const noexcept {
         double unused;

@@ -7,6 +7,14 @@
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
+namespace {
+
+// The mesh is between -1 and 1.
+bool is_in_box(const double* x) noexcept {
+    return std::fabs(x[0]) <= 1 && std::fabs(x[1]) <= 1 && std::fabs(x[2]) <= 1;
+}
+
+}  // namespace
 
 void ZoneRefiner::begin_zone(const TetId* begin, const TetId* end) {
     bad_.clear();
@@ -61,12 +69,10 @@ bool ZoneRefiner::propose(TetId t, NewPoint& point) const noexcept {
     if (is_large) point.least2 = least * least;
     point.is_on_lattice = false;
     point.is_last = !is_large;
-    if (!choose_place(t, e, point)) return false;
-    // The mesh is between -1 and 1. Tiny coordinates would be outside of the normal range.
-    for (double& x : point.x) {
-        if (!(std::fabs(x) <= 1)) return false;
+    if (!choose_place(t, e, point) || !is_in_box(point.x)) return false;
+    // Tiny coordinates would be outside of the normal range.
+    for (double& x : point.x)
         if (std::fabs(x) < 0x1p-100) x = 0;
-    }
     return true;
 }
 
@@ -100,7 +106,7 @@ bool ZoneRefiner::choose_place(TetId t, const ElementShape& e, NewPoint& point) 
     std::copy_n(centre, 3, point.x);
     if (tries >= each)
         for (int k = 0; k < 3; ++k) point.x[k] = 0.25 * ((p[0][k] + p[1][k]) + (p[2][k] + p[3][k]));
-    if (!is_snapped) return true;
+    if (!is_snapped || !is_in_box(point.x)) return !is_snapped;
     double snapped[3];
     lattice_.snap(point.x, snapped);
     std::copy_n(snapped, 3, point.x);

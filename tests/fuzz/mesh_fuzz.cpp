@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Meshes of a caller's tetrahedra: any at all, or some of a Delaunay triangulation, with faces and
-// edges. What is built passes its check and can be improved with any options: the mesh is valid
-// then and no worse, its regions keep their volumes, and two threads make the same. Places are in
+// edges. What is built passes its check and can be refined with any sizes and improved with any
+// options: the mesh is valid then, an improved one is no worse, regions keep their volumes, and two
+// threads make the same. Places are in
 // the tetrahedra that contain them.
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,9 @@ class Handle {
 
     void set(std::int32_t option, std::int64_t value) const {
         FUZZ_REQUIRE(mgdt_mesh_set_option(m_, option, value) == MGDT_OK, "option");
+    }
+    void set_double(std::int32_t option, double value) const {
+        FUZZ_REQUIRE(mgdt_mesh_set_double_option(m_, option, value) == MGDT_OK, "option");
     }
     std::int64_t stat(std::int32_t key) const {
         std::int64_t value = -1;
@@ -95,6 +99,7 @@ class Session {
         const bool is_valid = first_.check();
         FUZZ_REQUIRE(is_valid || !is_of_delaunay_, "the mesh of the caller");
         locate();
+        if (is_valid) refine();
         if (is_valid) improve();
     }
 
@@ -188,6 +193,71 @@ class Session {
             FUZZ_REQUIRE(std::fabs(sum - (found[i] < 0 ? 0 : 1)) < 1e-12, "the sum of weights");
             FUZZ_REQUIRE(nearest[i] >= 0 && (found[i] < 0 || found[i] == nearest[i]), "nearest");
         }
+    }
+
+    // A size: any power of two, or one that fits the mesh, or none.
+    double size(double length) {
+        switch (in_.below(4)) {
+            case 0:
+                return 0;
+            case 1:
+                return std::ldexp(1.0, static_cast<int>(in_.below(2000)) - 1000);
+            default:
+                return length * (1 + in_.below(16)) / 16;
+        }
+    }
+
+    void refine() {
+        Handle one, other;
+        FUZZ_REQUIRE(build(one) && build(other), "the same again");
+        const std::map<std::int64_t, double> volumes = one.volumes();
+        const std::vector<double> longest = one.measures(MGDT_TETRAHEDRON_LONGEST_EDGE);
+        const double length = longest.empty() ? 1 : longest[0];
+        const double everywhere = size(length), gradation = in_.below(8) / 4.0,
+                     ratio = in_.below(5) / 2.0,
+                     volume = in_.below(2) * length * length * length / 64;
+        const std::int64_t of_surface = in_.below(2), most = 1 + in_.below(400);
+        const auto of = static_cast<std::int32_t>(in_.below(3));
+        const std::int32_t counts[3] = {MGDT_MESH_STAT_POINTS, MGDT_MESH_STAT_TETRAHEDRA,
+                                        MGDT_MESH_STAT_REGIONS};
+        std::vector<double> sizes;
+        for (std::int64_t n = one.stat(counts[of]); n > 0; --n) sizes.push_back(size(length));
+        other.set(MGDT_MESH_OPTION_THREADS, 2);
+        mgdt_status status[2];
+        int k = 0;
+        for (const Handle* m : {&one, &other}) {
+            m->set(MGDT_MESH_OPTION_SIZES_OF_SURFACE, of_surface);
+            m->set(MGDT_MESH_OPTION_MOST_POINTS, most);
+            if (everywhere < 1e300) m->set_double(MGDT_MESH_OPTION_SIZE, everywhere);
+            m->set_double(MGDT_MESH_OPTION_GRADATION, gradation);
+            m->set_double(MGDT_MESH_OPTION_RADIUS_EDGE, ratio);
+            if (volume < 1e300) m->set_double(MGDT_MESH_OPTION_VOLUME, volume);
+            FUZZ_REQUIRE(mgdt_mesh_set_sizes(*m, of, static_cast<std::int64_t>(sizes.size()),
+                                             sizes.data()) == MGDT_OK,
+                         "sizes");
+            status[k++] = mgdt_mesh_refine(*m);
+        }
+        FUZZ_REQUIRE(status[0] == MGDT_OK && status[1] == MGDT_OK, "refine");
+        FUZZ_REQUIRE(one.check(),
+                     mgdt_tests::message_of(static_cast<mgdt_mesh*>(one), mgdt_mesh_get_error));
+        FUZZ_REQUIRE(one.stat(MGDT_MESH_STAT_INSERTED_POINTS) <= most, "the most points");
+        for (const std::int32_t key : {MGDT_MESH_ARRAY_TETRAHEDRA, MGDT_MESH_ARRAY_FACES,
+                                       MGDT_MESH_ARRAY_EDGES, MGDT_MESH_ARRAY_REFUSALS})
+            FUZZ_REQUIRE(one.array(key) == other.array(key), "threads");
+        const std::vector<double> xyz = one.doubles(MGDT_MESH_ARRAY_POINTS);
+        FUZZ_REQUIRE(xyz == other.doubles(MGDT_MESH_ARRAY_POINTS), "threads");
+        FUZZ_REQUIRE(one.doubles(MGDT_MESH_ARRAY_SIZES) == other.doubles(MGDT_MESH_ARRAY_SIZES),
+                     "threads");
+        FUZZ_REQUIRE(std::equal(xyz_.begin(), xyz_.end(), xyz.begin()), "points stay");
+        FUZZ_REQUIRE(
+            one.array(MGDT_MESH_ARRAY_FACE_MARKERS) == first_.array(MGDT_MESH_ARRAY_FACE_MARKERS),
+            "faces stay");
+        double extent = 0;
+        for (const double x : xyz_) extent = std::max(extent, std::fabs(x));
+        if (!(extent > 1e-90 && extent < 1e90)) return;  // cubes underflow or overflow
+        for (const auto& [region, value] : one.volumes())
+            FUZZ_REQUIRE(std::fabs(value - volumes.at(region)) <= 1e-9 * extent * extent * extent,
+                         "volumes");
     }
 
     void improve() {
