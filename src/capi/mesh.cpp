@@ -132,7 +132,7 @@ const OwnOptions<MeshSettings> mesh_options = {
      std::numeric_limits<std::int32_t>::max()},
     {MGDT_MESH_OPTION_SIZES_OF_SURFACE, &MeshSettings::sizes_of_surface}};
 
-constexpr DoubleOption<MeshSettings> double_options[] = {
+constexpr DoubleOption<MeshSettings> mesh_double_options[] = {
     {MGDT_MESH_OPTION_SIZE, &MeshSettings::size, MeshSettings::bound},
     {MGDT_MESH_OPTION_GRADATION, &MeshSettings::gradation, MeshSettings::gradation_bound},
     {MGDT_MESH_OPTION_RADIUS_EDGE, &MeshSettings::radius_edge, MeshSettings::bound},
@@ -150,7 +150,7 @@ struct MeshResults {
 
 MGDT_LIFE(mesh)
 MGDT_OPTIONS(mesh, mesh_options)
-MGDT_DOUBLE_OPTIONS(mesh, double_options)
+MGDT_DOUBLE_OPTIONS(mesh, mesh_double_options)
 MGDT_PROGRESS(mesh)
 MGDT_RESULTS(mesh, MeshResults)
 MGDT_DOUBLES(mesh, MeshResults)

@@ -258,11 +258,11 @@ TEST(Refinement, SizesOfTetrahedraAndRegions) {
     for (const bool are_of_regions : {true, false}) {
         Refined refined(given);
         if (are_of_regions) {
-            refined.wishes.of_regions.push_back(0.25);
+            refined.wishes.of_regions.push_back(0.4);
             refined.wishes.of_regions.push_back(0.0);
         } else {
             for (std::size_t t = 0; t < given.tetrahedron_count(); ++t)
-                refined.wishes.of_tetrahedra.push_back(given.regions[t] == 0 ? 0.25 : 0.0);
+                refined.wishes.of_tetrahedra.push_back(given.regions[t] == 0 ? 0.4 : 0.0);
         }
         refined.refine();
         expect_good_mesh(refined.mesh());
