@@ -507,8 +507,8 @@ module mgdt_constants
     ! dihedral angle, in degrees, and the mean of MGDT_TETRAHEDRON_VOLUME_LENGTH. Empty before.
     ! Since 1.4.
     integer, parameter :: mgdt_mesh_array_shapes = 320
-    ! For each point the size of edges that mgdt_mesh_refine() has wanted there, or 0 for none.
-    ! Empty when MGDT_MESH_ARRAY_REFUSALS is. Since 1.4.
+    ! For each point the length of edges that the last mgdt_mesh_refine() was asked for there, or 0
+    ! if it was asked for none. Empty when MGDT_MESH_ARRAY_REFUSALS is. Since 1.4.
     integer, parameter :: mgdt_mesh_array_sizes = 330
 
     ! Kinds.

@@ -157,8 +157,8 @@ void require_sound(const mgdt::Mesh& mesh, const std::string& name) {
     }
 }
 
-std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool is_checked,
-                         bool quiet, const std::string& name) {
+std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool quiet,
+                         const std::string& name) {
     check_interrupt();
     Progress progress("improving", quiet);
     try {
@@ -173,7 +173,6 @@ std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool i
     } catch (...) {
         rethrow_failure(name, mesh.last_error());
     }
-    if (is_checked) require_sound(mesh, name);
     return describe(mesh, options.goal);
 }
 

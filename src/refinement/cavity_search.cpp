@@ -55,12 +55,7 @@ CavitySearch::Outcome CavitySearch::walk(const WalledMesh& walled, const NewPoin
     const Mesh& mesh = walled.mesh;
     const double* const q = point.x;
     double from[3];
-    {
-        const Tetrahedron& t = mesh.tetrahedra[point.start];
-        for (int k = 0; k < 3; ++k)
-            from[k] = 0.25 * ((mesh.point(t.v[0])[k] + mesh.point(t.v[1])[k]) +
-                              (mesh.point(t.v[2])[k] + mesh.point(t.v[3])[k]));
-    }
+    find_centroid(mesh, point.start, from);
     refusal_ = Refusal::hidden;
     container_ = point.start;
     unsigned entry = 4;
@@ -74,7 +69,7 @@ CavitySearch::Outcome CavitySearch::walk(const WalledMesh& walled, const NewPoin
             const double* const a = mesh.point(t.v[outer_face[i][0]]);
             const double* const b = mesh.point(t.v[outer_face[i][1]]);
             const double* const c = mesh.point(t.v[outer_face[i][2]]);
-            // Beyond face i, (q, a, b, c) is positive.
+            // The tetrahedron (q, a, b, c) is positive if q is beyond face i.
             if (!is_positive(q, a, b, c)) continue;
             double unused;
             const double there = volume_of(q, a, b, c, unused),

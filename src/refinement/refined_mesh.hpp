@@ -90,6 +90,14 @@ struct RefinedMesh {
     ElementBounds bounds;
 };
 
+// Finds the centroid of a tetrahedron without a mark.
+inline void find_centroid(const Mesh& mesh, TetId t, double (&x)[3]) noexcept {
+    const VertexId(&v)[4] = mesh.tetrahedra[t].v;
+    for (int k = 0; k < 3; ++k)
+        x[k] = 0.25 * ((mesh.point(v[0])[k] + mesh.point(v[1])[k]) +
+                       (mesh.point(v[2])[k] + mesh.point(v[3])[k]));
+}
+
 // The corners of a tetrahedron that may be marked.
 struct Corners4 {
     explicit Corners4(const Tetrahedron& t) noexcept

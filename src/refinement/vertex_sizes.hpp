@@ -8,7 +8,8 @@
 
 namespace mgdt {
 
-// What a caller wants, in the units of the caller's coordinates. A size of 0 stands for no wish.
+// The lengths of edges that a caller asks for at points, in tetrahedra and in regions, in the units
+// of the caller's coordinates. A length of 0 means that the caller asks for none.
 struct SizeWishes {
     explicit SizeWishes(Allocator& allocator)
         : of_points(allocator), of_tetrahedra(allocator), of_regions(allocator) {}

@@ -81,13 +81,13 @@ void WalledMesh::add_ghost(std::uint32_t t, unsigned face) {
     Tetrahedron& behind = mesh.tetrahedra[t];
     const unsigned char* const f = outer_face[face];
     Tetrahedron& made = mesh.tetrahedra[ghost];
-    made = {{behind.v[f[0]], behind.v[f[2]], behind.v[f[1]], infinite_vertex},
-            {no_index, no_index, no_index, facet_code(t, face)}};
+    // Nothing goes from one ghost to another one, so those faces are linked with themselves.
+    made = {
+        {behind.v[f[0]], behind.v[f[2]], behind.v[f[1]], infinite_vertex},
+        {facet_code(ghost, 0), facet_code(ghost, 1), facet_code(ghost, 2), facet_code(t, face)}};
     behind.n[face] = facet_code(ghost, 3);
     mesh.tetrahedra.sphere(ghost) = rounded(circumsphere(made, mesh.vertices.data()));
     walls[ghost] = 0xF;
-    // Faces are linked in place of neighbours that nothing reaches.
-    for (unsigned i = 0; i < 3; ++i) made.n[i] = facet_code(ghost, i);
     ++mesh.ghost_count;
 }
 

@@ -8,8 +8,9 @@
 
 namespace mgdt {
 
-// Faces of facets are walls: no cavity grows through them. Behind a face where the mesh ends is a
-// ghost, which no cavity reaches; ghosts are not linked with each other. Vertex v + 1 is point v.
+// A face that is a part of a facet is a wall: no cavity grows through it. Where the mesh ends, a
+// ghost is the neighbour behind the face. No cavity reaches a ghost, and ghosts have no links with
+// each other. Point v of the linked mesh is vertex v + 1, since vertex 0 is the one at infinity.
 class WalledMesh {
   public:
     WalledMesh(const LinkedMesh& from, Team& team, Allocator& allocator);

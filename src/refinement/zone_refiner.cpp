@@ -103,9 +103,10 @@ bool ZoneRefiner::choose_place(TetId t, const ElementShape& e, NewPoint& point) 
         std::copy_n(exact.x, 3, centre);
         radius2 = exact.radius2;
     }
-    std::copy_n(centre, 3, point.x);
-    if (tries >= each)
-        for (int k = 0; k < 3; ++k) point.x[k] = 0.25 * ((p[0][k] + p[1][k]) + (p[2][k] + p[3][k]));
+    if (tries < each)
+        std::copy_n(centre, 3, point.x);
+    else
+        find_centroid(mesh_.walled.mesh, t, point.x);
     if (!is_snapped || !is_in_box(point.x)) return !is_snapped;
     double snapped[3];
     lattice_.snap(point.x, snapped);

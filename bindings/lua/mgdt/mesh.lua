@@ -51,6 +51,15 @@ function Mesh:tetrahedron_measures(measure)
 end
 jit.off(Mesh.tetrahedron_measures)
 
+-- Changes a mesh by a function of the library, and reads the new arrays, also if the call fails.
+local function change(self, progress, call)
+    local value = of_mesh.watch(self.handle, progress, function(of) return call(of) end)
+    read(self)
+    ensure(self.handle, value)
+    return self
+end
+jit.off(change, true)
+
 local options = { goal = whole, boundary = constants.boundary, points = constants.points, mean_passes = whole,
     most_passes = whole }
 
@@ -76,10 +85,7 @@ function Mesh:improve(given)
             bad_argument("there is no setting %s", tostring(name))
         end
     end
-    local value = of_mesh.watch(self.handle, progress, function(of) return C.mgdt_mesh_improve(of) end)
-    read(self)
-    ensure(self.handle, value)
-    return self
+    return change(self, progress, C.mgdt_mesh_improve)
 end
 jit.off(Mesh.improve, true)
 
@@ -121,10 +127,7 @@ function Mesh:refine(given)
             bad_argument("there is no setting %s", tostring(name))
         end
     end
-    local value = of_mesh.watch(self.handle, progress, function(of) return C.mgdt_mesh_refine(of) end)
-    read(self)
-    ensure(self.handle, value)
-    return self
+    return change(self, progress, C.mgdt_mesh_refine)
 end
 jit.off(Mesh.refine, true)
 

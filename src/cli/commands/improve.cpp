@@ -1,62 +1,23 @@
 // SPDX-License-Identifier: MIT
 // mgdt improve: makes the worst tetrahedra of a mesh better.
-#include <fmt/core.h>
-
 #include <functional>
 #include <memory>
 
-#include "cli/commands/arguments.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/help.hpp"
-#include "cli/counts.hpp"
-#include "cli/errors.hpp"
+#include "cli/commands/tetrahedra_command.hpp"
 #include "cli/mesh_program.hpp"
-#include "cli/unused_points.hpp"
 
 namespace mgdt::cli {
 namespace {
 
-struct ImproveCommandOptions {
-    InputOptions input;
-    OutputOptions output;
+struct ImproveCommandOptions : TetrahedraOptions {
     ImproveOptions improvement;
-    bool check = false;
-    bool all_points = false;  // also write points that are in no tetrahedron
-    int threads = 1;
-    std::uint64_t memory_limit = 0;  // bytes, 0 for none
-    bool quiet = false;
 };
 
 int improve(const ImproveCommandOptions& options) {
-    const OutputOptions& output = options.output;
-    std::vector<std::string> files;
-    const Format& format = mesh_format(output, files);
-    InputOptions input = options.input;
-    input.read.has_markers = true;
-    auto [read, name] = open_input(input, files, options.quiet);
-    if (!read.has_tetrahedra)
-        throw Error(exit_input, fmt::format("{}: there are no tetrahedra", name));
-    const WriteOptions write = options_after(read, &format, output.write);
-    Mesh mesh;
-    std::string said;
-    {
-        mgdt::Mesh made = make_mesh(read, options.threads, options.memory_limit, name);
-        said = improve_mesh(made, options.improvement, options.check, options.quiet, name);
-        mesh = mesh_of(made);
-    }
-    // A file without markers gets none.
-    if (read.regions.empty()) mesh.regions.clear();
-    mesh.faces.names = read.facets.names;
-    if (!options.all_points) take_out_unused_points(mesh);
-    OutputSet outputs;
-    format.write_mesh(mesh, output.path, outputs, write);
-    if (format.write_neighbors) format.write_neighbors(mesh.neighbors, output.path, outputs, write);
-    outputs.commit();
-    if (!options.quiet && output.path != "-")
-        fmt::print("{}{}, {}{}: {}\n", said, counted(mesh.point_count(), "point", "points"),
-                   counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"),
-                   options.check ? ", checked" : "", printable(output.path));
-    return exit_ok;
+    return change_tetrahedra(options, [&](mgdt::Mesh& mesh, const std::string& name) {
+        return improve_mesh(mesh, options.improvement, options.quiet, name);
+    });
 }
 
 }  // namespace
@@ -65,17 +26,9 @@ const Command improve_command = {
     "improve", "Read tetrahedra, write better ones: no small dihedral angles.",
     [](CLI::App& app) -> std::function<int()> {
         const auto options = std::make_shared<ImproveCommandOptions>();
-        add_input(app, options->input, "Tetrahedra");
-        add_output(app, options->output, true);
-        add_index_base(app, options->output);
-        add_compress(app, options->output);
+        add_tetrahedra_files(app, *options);
         add_improvement(app, options->improvement, {"numbers", "fixed"});
-        app.add_flag("--check", options->check, "Prove the mesh before writing");
-        app.add_flag("--all-points", options->all_points,
-                     "Also write points that are in no tetrahedron");
-        add_limits(app, options->threads, options->memory_limit);
-        app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
-        app.footer(formats_and_exit_codes);
+        add_tetrahedra_settings(app, *options);
         return [options] { return improve(*options); };
     }};
 

@@ -151,8 +151,7 @@ int mesh_surface(const MeshOptions& options) {
         const bool is_refined = options.refinement.is_asked_for();
         if (is_refined) said += refine_mesh(made, options.refinement, options.quiet, name);
         const bool is_improved = options.improve || (is_refined && !options.not_improved);
-        if (is_improved)
-            said += improve_mesh(made, options.improvement, false, options.quiet, name);
+        if (is_improved) said += improve_mesh(made, options.improvement, options.quiet, name);
         if (options.check && (is_refined || is_improved)) require_sound(made, name);
         n_steiner = static_cast<std::size_t>(made.statistic(MeshStatistic::steiner_points));
         n_regions = static_cast<std::size_t>(made.statistic(MeshStatistic::regions));
