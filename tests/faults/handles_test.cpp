@@ -200,19 +200,19 @@ Kind mesh() {
           }},
          {"summary",
           [m](void* h) { return mgdt_mesh_get_shape_summary(m(h), nullptr, nullptr, nullptr); }},
-         {"refine",
-          [m](void* h) {
-              const double size = 0.3;
-              mgdt_status s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.4);
-              if (s == MGDT_OK) s = mgdt_mesh_set_sizes(m(h), MGDT_SIZES_OF_REGIONS, 1, &size);
-              if (s == MGDT_OK) s = mgdt_mesh_refine(m(h));
-              return s;
-          }},
          {"improve",
           [m](void* h) {
               mgdt_status s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_GOAL, 35);
               if (s == MGDT_OK) s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_MOST_PASSES, 2);
               if (s == MGDT_OK) s = mgdt_mesh_improve(m(h));
+              return s;
+          }},
+         {"refine",
+          [m](void* h) {
+              const double size = 0.5;
+              mgdt_status s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.6);
+              if (s == MGDT_OK) s = mgdt_mesh_set_sizes(m(h), MGDT_SIZES_OF_REGIONS, 1, &size);
+              if (s == MGDT_OK) s = mgdt_mesh_refine(m(h));
               return s;
           }},
          {"arrays",
