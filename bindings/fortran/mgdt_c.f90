@@ -567,6 +567,31 @@ module mgdt_c
             real(c_double), intent(in) :: sizes(*)
             integer(c_int32_t) :: status
         end function
+        function c_mesh_set_size_field(m, n, xyz, sizes) result(status) &
+            bind(c, name='mgdt_mesh_set_size_field')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: m
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            real(c_double), intent(in) :: sizes(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_set_size_function(m, fn, user) result(status) &
+            bind(c, name='mgdt_mesh_set_size_function')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_mesh_get_size_function(m, fn, user) result(status) &
+            bind(c, name='mgdt_mesh_get_size_function')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: m
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
+            integer(c_int32_t) :: status
+        end function
         function c_mesh_build(m) result(status) bind(c, name='mgdt_mesh_build')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: m

@@ -33,6 +33,14 @@ module mgdt_f77_support
             real(c_double), intent(inout) :: fraction
             type(c_ptr), value :: icanc
         end subroutine
+        ! FIND(N, XYZ, SIZES, ICANC) of MGUSFN.
+        subroutine f77_sizes(n, xyz, sizes, icanc) bind(c)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            real(c_double), intent(inout) :: sizes(*)
+            type(c_ptr), value :: icanc
+        end subroutine
     end interface
 
 contains
@@ -285,6 +293,24 @@ contains
         told = fraction
         icanc = 0
         call sub(told, c_loc(icanc))
+        stop_asked = merge(1_c_int32_t, 0_c_int32_t, icanc /= 0)
+    end function
+
+    function relay_sizes(n, xyz, sizes, user) result(stop_asked) bind(c, name='')
+        integer(c_int64_t), value :: n
+        real(c_double), intent(in) :: xyz(*)
+        real(c_double), intent(inout) :: sizes(*)
+        type(c_ptr), value :: user
+        integer(c_int32_t) :: stop_asked
+        procedure(f77_sizes), pointer :: sub
+        type(c_funptr) :: address
+        integer, target :: places, icanc
+
+        address = transfer(user, address)
+        call c_f_procpointer(address, sub)
+        places = int(n)
+        icanc = 0
+        call sub(c_loc(places), xyz, sizes, c_loc(icanc))
         stop_asked = merge(1_c_int32_t, 0_c_int32_t, icanc /= 0)
     end function
 end module mgdt_f77_support

@@ -13,13 +13,14 @@ module mgdt_mesh
                                            c_loc, c_null_funptr, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: error_unit, int32, int64, real64
     use mgdt_c
-    use mgdt_callbacks, only: mgdt_progress, progress_box, relay
+    use mgdt_callbacks, only: mgdt_progress, mgdt_size_function, progress_box, relay, relay_sizes, &
+                              size_box
     use mgdt_constants
     use mgdt_support, only: c_text, decimal, finish_on, report, to_c
     implicit none
     private
 
-    public :: mgdt_tetrahedral_mesh, mgdt_progress
+    public :: mgdt_tetrahedral_mesh, mgdt_progress, mgdt_size_function
     ! The constants; mgdt_constants.f90 says what they mean.
     public :: mgdt_mesh_option_index_base, mgdt_mesh_option_threads, &
               mgdt_mesh_option_memory_limit, mgdt_mesh_option_goal, mgdt_mesh_option_boundary, &
@@ -72,9 +73,11 @@ module mgdt_mesh
         private
         type(c_ptr) :: handle = c_null_ptr
         type(progress_box), pointer :: progress => null()
+        type(size_box), pointer :: sizes_of => null()
     contains
         procedure :: own, build, refine, improve, cancel, check, statistic, get_tetrahedron_measures
-        procedure :: get_shape_summary, interpolate, set_sizes
+        procedure :: get_shape_summary, interpolate, set_sizes, set_size_field
+        procedure :: set_size_function, remove_size_function
         procedure, private :: locate_points_i32, locate_points_i64
         generic :: locate_points => locate_points_i32, locate_points_i64
         procedure, private :: set_points_1, set_points_2
@@ -120,6 +123,7 @@ contains
         call c_mesh_destroy(self%handle)
         self%handle = c_null_ptr
         if (associated(self%progress)) deallocate (self%progress)
+        if (associated(self%sizes_of)) deallocate (self%sizes_of)
     end subroutine
 
     subroutine finalize(self)
@@ -396,6 +400,60 @@ contains
         if (status == mgdt_ok) status = c_mesh_set_sizes( &
             self%handle, to_c(of), size(sizes, kind=c_int64_t), sizes)
         call finish(self, 'set_sizes', status, stat, errmsg)
+    end subroutine
+
+    ! Sizes that vary in space: at points xyz(3, n), linear between them. No points remove them. Since
+    ! 1.4.
+    subroutine set_size_field(self, xyz, sizes, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(inout) :: self
+        real(real64), contiguous, intent(in) :: xyz(:, :), sizes(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        if (.not. has_extent('set_size_field', 'xyz', size(xyz, 1), 3, stat, errmsg)) return
+        if (.not. has_places('set_size_field', 'sizes', size(sizes, kind=int64), &
+                             size(xyz, 2, kind=int64), stat, errmsg)) return
+        call make(self, status)
+        if (status == mgdt_ok) status = c_mesh_set_size_field( &
+            self%handle, size(sizes, kind=c_int64_t), xyz, sizes)
+        call finish(self, 'set_size_field', status, stat, errmsg)
+    end subroutine
+
+    ! A procedure that refine() asks for sizes. Since 1.4.
+    subroutine set_size_function(self, find, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(inout) :: self
+        procedure(mgdt_size_function) :: find
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(size_box), pointer :: box
+        integer(c_int32_t) :: status
+
+        allocate (box)
+        box%find => find
+        call make(self, status)
+        if (status == mgdt_ok) &
+            status = c_mesh_set_size_function(self%handle, c_funloc(relay_sizes), c_loc(box))
+        if (status == mgdt_ok) then
+            if (associated(self%sizes_of)) deallocate (self%sizes_of)
+            self%sizes_of => box
+        else
+            deallocate (box)
+        end if
+        call finish(self, 'set_size_function', status, stat, errmsg)
+    end subroutine
+
+    subroutine remove_size_function(self, stat, errmsg)
+        class(mgdt_tetrahedral_mesh), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+
+        status = mgdt_ok
+        if (c_associated(self%handle)) &
+            status = c_mesh_set_size_function(self%handle, c_null_funptr, c_null_ptr)
+        if (status == mgdt_ok .and. associated(self%sizes_of)) deallocate (self%sizes_of)
+        call finish(self, 'remove_size_function', status, stat, errmsg)
     end subroutine
 
     ! Hears of the calls that take long, and may stop them.

@@ -127,7 +127,7 @@ subroutine mgubld(h, ierr)
 end subroutine
 
 ! Sizes of edges, SIZES(N), for the next MGURFN: IOF is MGUSPT, MGUSTE or MGUSRE. Since 1.4, as the
-! next three.
+! next six.
 subroutine mgussz(h, iof, n, sizes, ierr)
     use mgdt_f77_support
     implicit none
@@ -139,6 +139,42 @@ subroutine mgussz(h, iof, n, sizes, ierr)
 
     if (integers_differ(h, ierr, n)) return
     ierr = c_mesh_set_sizes(handle_of(h, of_mesh), to_c(iof), int(n, c_int64_t), sizes)
+end subroutine
+
+! Sizes of edges at points XYZ(3, N), linear between them: SIZES(N).
+subroutine mgusfl(h, n, xyz, sizes, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    real(c_double), intent(in) :: sizes(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_mesh_set_size_field(handle_of(h, of_mesh), int(n, c_int64_t), xyz, sizes)
+end subroutine
+
+! Subroutine FIND(N, XYZ, SIZES, ICANC) sets sizes of edges, SIZES(N), at places XYZ(3, N).
+subroutine mgusfn(h, find, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    procedure(f77_sizes) :: find
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_set_size_function(handle_of(h, of_mesh), c_funloc(relay_sizes), &
+                                    transfer(c_funloc(find), c_null_ptr))
+end subroutine
+
+! No such subroutine any more.
+subroutine mgusno(h, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(out) :: ierr
+
+    ierr = c_mesh_set_size_function(handle_of(h, of_mesh), c_null_funptr, c_null_ptr)
 end subroutine
 
 ! Option KEY, MGUSZE to MGUVOL, whose value X is real.

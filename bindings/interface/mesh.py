@@ -12,6 +12,8 @@ MESH = Description(
         "mgdt_mesh_set_edges": {"ends": "2*n", "markers": "?n"},
         "mgdt_mesh_set_fixed_points": {"points": "n"},
         "mgdt_mesh_set_sizes": {"sizes": "n"},
+        "mgdt_mesh_set_size_field": {"xyz": "3*n", "sizes": "n"},
+        "mgdt_mesh_get_size_function": {"fn": "1"},
         "mgdt_mesh_get_option": {"value": "1"},
         "mgdt_mesh_get_double_option": {"value": "1"},
         "mgdt_mesh_get_progress": {"fn": "1"},

@@ -73,8 +73,8 @@ def lua(interface: Interface) -> str:
 # Ruby's names of types.
 
 def ruby_type(p: Parameter) -> str:
-    if p.type == "mgdt_progress_fn" and p.is_callback:
-        return "progress"
+    if p.type in ("mgdt_progress_fn", "mgdt_size_fn") and p.is_callback:
+        return p.type[len("mgdt_"):-len("_fn")]
     if p.type == "char" and p.is_const:
         return "string"
     if p.stars or p.is_callback:

@@ -129,6 +129,9 @@
     F(mesh_set_fixed_points);          \
     F(mesh_set_fixed_points_i32);      \
     F(mesh_set_sizes);                 \
+    F(mesh_set_size_field);            \
+    F(mesh_set_size_function);         \
+    F(mesh_get_size_function);         \
     F(mesh_build);                     \
     F(mesh_refine);                    \
     F(mesh_improve);                   \

@@ -269,9 +269,10 @@ static void make_mesh(const mxArray* const* given) {
     ensure_mesh(mgdt.mesh_build(mesh));
 }
 
-/* Changes the mesh, which is checked then if that is wanted, and returns it as a struct. */
-static mxArray* changed_mesh(mgdt_status (*change)(mgdt_mesh*), const mxArray* function,
-                             int is_checked) {
+/* Changes the mesh, which is checked then if that is wanted, and returns it as a struct. `sizes`
+ * may have the problem of a function that found sizes. */
+static mxArray* changed_mesh(mgdt_status (*change)(mgdt_mesh*), progress* sizes,
+                             const mxArray* function, int is_checked) {
     progress p = {NULL, NULL};
     mxArray* result;
     mgdt_status status;
@@ -283,9 +284,10 @@ static mxArray* changed_mesh(mgdt_status (*change)(mgdt_mesh*), const mxArray* f
     status = change(mesh);
     domain_is_busy = 0;
     mgdt.mesh_set_progress(mesh, NULL, NULL);
-    if (p.problem) {
+    mgdt.mesh_set_size_function(mesh, NULL, NULL);
+    if (p.problem || sizes->problem) {
         close_domain();
-        mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
+        mexCallMATLAB(0, NULL, 1, p.problem ? &p.problem : &sizes->problem, "rethrow");
     }
     ensure_mesh(status);
     if (is_checked) ensure_mesh(mgdt.mesh_check(mesh));
@@ -307,6 +309,7 @@ static mxArray* improved_mesh(int count, const mxArray* const* given) {
     const int64_t* fixed;
     int64_t n_fixed;
     const mxArray* function;
+    progress unasked = {NULL, NULL};
     int is_checked, k;
     if (count < first_key + n_keys + 2) bad_argument("a mesh needs more arguments");
     fixed = whole_numbers(given[mesh_items], "fixed", &n_fixed);
@@ -316,7 +319,7 @@ static mxArray* improved_mesh(int count, const mxArray* const* given) {
     make_mesh(given);
     ensure_mesh(mgdt.mesh_set_fixed_points(mesh, n_fixed, fixed));
     for (k = 0; k < n_keys; ++k) ensure_mesh(mgdt.mesh_set_option(mesh, keys[k], values[k]));
-    return changed_mesh(mgdt.mesh_improve, function, is_checked);
+    return changed_mesh(mgdt.mesh_improve, &unasked, function, is_checked);
 }
 
 /* Sizes that a mesh takes, or [] for none. */
@@ -326,9 +329,49 @@ static void set_sizes(int32_t of, const mxArray* a) {
     ensure_mesh(mgdt.mesh_set_sizes(mesh, of, n, n > 0 ? mxGetPr(a) : NULL));
 }
 
+/* Points with sizes, linear between them; [] and [] for none. */
+static void set_size_field(const mxArray* points, const mxArray* sizes) {
+    int64_t n = 0;
+    const double* const xyz = mxIsEmpty(points) ? NULL : places(points, "size_field", &n);
+    if ((int64_t)mxGetNumberOfElements(sizes) != n)
+        bad_argument("size_field has not one size for each point");
+    if (n > 0) ensure_mesh(mgdt.mesh_set_size_field(mesh, n, xyz, mxGetPr(sizes)));
+}
+
+/* Asks a function of Octave's for the sizes at places, in a matrix with a row for each. */
+static int32_t find_sizes(int64_t n, const double* xyz, double* sizes, void* user) {
+    progress* const p = user;
+    mxArray* arguments[2];
+    mxArray* answer[2] = {NULL, NULL};
+    mxArray* failure;
+    double* to;
+    int64_t i;
+    int k;
+    int32_t stop = 1;
+    arguments[0] = p->function;
+    arguments[1] = mxCreateDoubleMatrix((mwSize)n, 3, mxREAL);
+    to = mxGetPr(arguments[1]);
+    for (i = 0; i < n; ++i)
+        for (k = 0; k < 3; ++k) to[n * k + i] = xyz[3 * i + k];
+    failure = mexCallMATLABWithTrap(2, answer, 2, arguments, "mgdt_sizes");
+    mxDestroyArray(arguments[1]);
+    if (failure) {
+        p->problem = failure;
+    } else if (!mxIsEmpty(answer[1])) {
+        p->problem = answer[1];
+    } else {
+        memcpy(sizes, mxGetPr(answer[0]), (size_t)n * sizeof *sizes);
+        mxDestroyArray(answer[1]);
+        stop = 0;
+    }
+    if (answer[0]) mxDestroyArray(answer[0]);
+    return stop;
+}
+
 /* The refinement of a mesh. After the arguments of make_mesh(): sizes of points, tetrahedra and
- * regions, the size everywhere, gradation, radius-edge ratio, volume, most points, whether sizes
- * are those of the surface, a progress function or [], and whether to check. */
+ * regions, points and sizes of a field, a function that finds sizes or [], the size everywhere,
+ * gradation, radius-edge ratio, volume, most points, whether sizes are those of the surface, a
+ * progress function or [], and whether to check. */
 static mxArray* refined_mesh(int count, const mxArray* const* given) {
     static const struct {
         const char* name;
@@ -337,8 +380,9 @@ static mxArray* refined_mesh(int count, const mxArray* const* given) {
                    {"gradation", MGDT_MESH_OPTION_GRADATION},
                    {"radius_edge", MGDT_MESH_OPTION_RADIUS_EDGE},
                    {"volume", MGDT_MESH_OPTION_VOLUME}};
-    enum { n_doubles = sizeof doubles / sizeof *doubles, first_double = mesh_items + 3 };
+    enum { n_doubles = sizeof doubles / sizeof *doubles, first_double = mesh_items + 6 };
     double values[n_doubles];
+    progress sizes = {NULL, NULL};
     int32_t most_points, of_surface;
     const mxArray* const* const last = given + first_double + n_doubles;
     int is_checked, k;
@@ -351,11 +395,16 @@ static mxArray* refined_mesh(int count, const mxArray* const* given) {
     set_sizes(MGDT_SIZES_OF_POINTS, given[mesh_items]);
     set_sizes(MGDT_SIZES_OF_TETRAHEDRA, given[mesh_items + 1]);
     set_sizes(MGDT_SIZES_OF_REGIONS, given[mesh_items + 2]);
+    set_size_field(given[mesh_items + 3], given[mesh_items + 4]);
+    if (!mxIsEmpty(given[mesh_items + 5])) {
+        sizes.function = mxDuplicateArray(given[mesh_items + 5]);
+        mgdt.mesh_set_size_function(mesh, find_sizes, &sizes);
+    }
     for (k = 0; k < n_doubles; ++k)
         ensure_mesh(mgdt.mesh_set_double_option(mesh, doubles[k].key, values[k]));
     ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_MOST_POINTS, most_points));
     ensure_mesh(mgdt.mesh_set_option(mesh, MGDT_MESH_OPTION_SIZES_OF_SURFACE, of_surface));
-    return changed_mesh(mgdt.mesh_refine, last[2], is_checked);
+    return changed_mesh(mgdt.mesh_refine, &sizes, last[2], is_checked);
 }
 
 /* Tetrahedra and weights of places in a mesh, and values there. After the arguments of make_mesh():

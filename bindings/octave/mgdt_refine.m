@@ -17,6 +17,8 @@
 % "point_sizes"        one for each point
 % "tetrahedron_sizes"  one for each tetrahedron, such as an estimate of an error wants it
 % "region_sizes"       one for each region, in the order of region_markers
+% "size_field"         {points, sizes}: sizes at points in space, linear between them
+% "size_function"      a function of an n x 3 matrix of places that gives n sizes, 0 for any
 % "sizes_of_surface"   true if edges at a point are to be as long as those of the surface there
 % "gradation"          how fast sizes may grow with the distance; 0.3 at first
 % "radius_edge"        the most that the radius of a circumsphere should be, in shortest edges of its
@@ -38,9 +40,14 @@ function mesh = mgdt_refine (points, varargin)
     print_usage ();
   end
   own = struct ("size", 0, "point_sizes", [], "tetrahedron_sizes", [], "region_sizes", [], ...
+                "size_field", {{[], []}}, "size_function", [], ...
                 "sizes_of_surface", false, "gradation", 0.3, "radius_edge", 1.4, "volume", 0, "most_points", 0);
   [items, given] = mgdt_mesh_settings (points, varargin, own, "a refinement");
+  if (! iscell (given.size_field) || numel (given.size_field) != 2)
+    error ("mgdt:invalid_argument", "mgdt: size_field must be a cell of points and sizes");
+  end
   mesh = mgdt_mex ("refine", items{:}, double (given.point_sizes(:)), double (given.tetrahedron_sizes(:)), ...
-                   double (given.region_sizes(:)), given.size, given.gradation, given.radius_edge, given.volume, ...
+                   double (given.region_sizes(:)), double (given.size_field{1}), double (given.size_field{2}(:)), ...
+                   given.size_function, given.size, given.gradation, given.radius_edge, given.volume, ...
                    given.most_points, double (given.sizes_of_surface), given.progress, double (given.check));
 end

@@ -45,6 +45,14 @@ extern "C" {
  */
 typedef struct mgdt_mesh mgdt_mesh;
 
+/** Gives sizes of edges at places: writes n numbers, which are zeros before, for the n places
+ *  `xyz`, of three coordinates each. A size is at least 0; 0 and infinity stand for none. It is
+ *  called on the thread that called mgdt_mesh_refine(), with at most 65536 places at a time. A
+ *  nonzero return value cancels that call. The function must not use the handle, except for
+ *  mgdt_mesh_cancel() and mgdt_mesh_get_error().
+ *  @since 1.4 */
+typedef int32_t (*mgdt_size_fn)(int64_t n, const double* xyz, double* sizes, void* user);
+
 /** Options of mgdt_mesh_set_option(), whose values are integers, and, where that is said, of
  *  mgdt_mesh_set_double_option(), whose values are doubles. */
 enum {
@@ -414,6 +422,37 @@ MGDT_API mgdt_status mgdt_mesh_set_fixed_points_i32(mgdt_mesh* m, int64_t n, con
  *  @since 1.4 */
 MGDT_API mgdt_status mgdt_mesh_set_sizes(mgdt_mesh* m, int32_t of, int64_t n, const double* sizes);
 
+/** Sets sizes of edges that vary in space, in place of those that were set by this function: at
+ *  points of the caller's, which need not be in the mesh. They are copied. Between the points, a
+ *  size is linear in each tetrahedron of their Delaunay triangulation. A place outside of their
+ *  convex hull has the size of the nearest place of the hull. If all points are in one plane, each
+ *  place has the size of the nearest point. Of equal points the first one counts. The sizes stay
+ *  for every mgdt_mesh_refine() until others are set. A call that fails changes nothing.
+ *  @param n      number of points, at least 0; 0 removes the sizes
+ *  @param xyz    3 n coordinates; may be NULL if n is 0
+ *  @param sizes  n sizes, above 0 and finite; may be NULL if n is 0
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (n or a size; the message
+ *  names it), MGDT_ERR_NOT_FINITE (the message names the point), MGDT_ERR_TOO_LARGE,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_size_field(mgdt_mesh* m, int64_t n, const double* xyz,
+                                              const double* sizes);
+
+/** Sets the function that gives sizes of edges that vary in space. mgdt_mesh_refine() asks it for
+ *  the points of the mesh and for places in and near the mesh that are the closer to each other
+ *  the smaller the sizes are, but not for each new point: a size that grows faster than the
+ *  distance may be missed (docs/theory.md, "Sizes that vary in space").
+ *  @param fn    the function; NULL for none (default)
+ *  @param user  passed to the function
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_set_size_function(mgdt_mesh* m, mgdt_size_fn fn, void* user);
+/** The function that gives sizes, or NULL, and what is passed to it.
+ *  @param[out] user  may be NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.4 */
+MGDT_API mgdt_status mgdt_mesh_get_size_function(const mgdt_mesh* m, mgdt_size_fn* fn, void** user);
+
 /* ------------------------------------------------------------------------------ build --- */
 
 /** Makes the mesh of what was set, in place of the one that there is, and gives the memory of what
@@ -436,9 +475,10 @@ MGDT_API mgdt_status mgdt_mesh_build(mgdt_mesh* m);
  *  has a radius above 0.8 times the size of edges, which is the mean of those at the corners, or
  *  above MGDT_MESH_OPTION_RADIUS_EDGE times the shortest edge, and no volume is above
  *  MGDT_MESH_OPTION_VOLUME. The size at a point is the least one that is set for it, by
- *  MGDT_MESH_OPTION_SIZE, MGDT_MESH_OPTION_SIZES_OF_SURFACE and mgdt_mesh_set_sizes(), where a
- *  tetrahedron or a region sets those of its corners; MGDT_MESH_OPTION_GRADATION limits how fast
- *  sizes grow. Between points, sizes are interpolated.
+ *  MGDT_MESH_OPTION_SIZE, MGDT_MESH_OPTION_SIZES_OF_SURFACE, mgdt_mesh_set_sizes(),
+ *  mgdt_mesh_set_size_field() and mgdt_mesh_set_size_function(); MGDT_MESH_OPTION_GRADATION limits
+ *  how fast sizes grow. A tetrahedron sets the size of its corners. Sizes at points of the mesh are
+ *  interpolated for new points.
  *
  *  The boundary stays: faces and edges that the mesh lists, regions and markers. New points are
  *  inside of the domain. They are Steiner points, which come after the others. All tetrahedra
@@ -452,8 +492,9 @@ MGDT_API mgdt_status mgdt_mesh_build(mgdt_mesh* m);
  *
  *  The result does not depend on the number of threads. A call that fails or is cancelled leaves
  *  the mesh as it was.
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_TOO_LARGE (such as for sizes that would take
- *  more than 2^27 points), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (the size function gives a
+ *  size that is negative or no number; the message names the place), MGDT_ERR_TOO_LARGE (such as
+ *  for sizes that would take more than 2^27 points), MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.4 */
 MGDT_API mgdt_status mgdt_mesh_refine(mgdt_mesh* m);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a caller sets for a mesh, and the calls that make and change the mesh.
+#include <limits>
 #include <utility>
 
 #include "capi/items.hpp"
@@ -118,6 +119,24 @@ void set_sizes(MeshObject& m, std::int32_t of, std::int64_t n, const double* siz
     kind.to = std::move(copy);
 }
 
+void set_size_field(MeshObject& m, std::int64_t n, const double* xyz, const double* sizes) {
+    const std::int32_t base = m.settings().index_base;
+    Buffer<double> points = copy_of_points(m.allocator(), n, xyz, base);
+    const auto count = static_cast<std::size_t>(n);
+    if (count > 0) require_pointer(sizes, "sizes");
+    Buffer<double> copy(m.allocator());
+    copy.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!(sizes[i] > 0 && sizes[i] < std::numeric_limits<double>::infinity()))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "size %lld is %g", static_cast<long long>(i) + base,
+                 sizes[i]);
+        copy[i] = sizes[i];
+    }
+    VaryingSizes& varying = m.value.wishes.varying;
+    varying.field_points = std::move(points);
+    varying.field_sizes = std::move(copy);
+}
+
 void refine(MeshObject& m, StageProgress& progress) {
     Team team(thread_count(m.settings()));
     MeshState& state = m.value;
@@ -195,6 +214,27 @@ extern "C" mgdt_status mgdt_mesh_build(mgdt_mesh* m) {
 extern "C" mgdt_status mgdt_mesh_set_sizes(mgdt_mesh* m, int32_t of, int64_t n,
                                            const double* sizes) {
     return guard(m, [&] { set_sizes(m->object, of, n, sizes); });
+}
+
+extern "C" mgdt_status mgdt_mesh_set_size_field(mgdt_mesh* m, int64_t n, const double* xyz,
+                                                const double* sizes) {
+    return guard(m, [&] { set_size_field(m->object, n, xyz, sizes); });
+}
+
+extern "C" mgdt_status mgdt_mesh_set_size_function(mgdt_mesh* m, mgdt_size_fn fn, void* user) {
+    return guard(m, [&] {
+        m->object.value.wishes.varying.function = fn;
+        m->object.value.wishes.varying.user = user;
+    });
+}
+
+extern "C" mgdt_status mgdt_mesh_get_size_function(const mgdt_mesh* m, mgdt_size_fn* fn,
+                                                   void** user) {
+    return guard_short(m, [&] {
+        require_pointer(reinterpret_cast<const void*>(fn), "the output");
+        *fn = m->object.value.wishes.varying.function;
+        if (user) *user = m->object.value.wishes.varying.user;
+    });
 }
 
 extern "C" mgdt_status mgdt_mesh_refine(mgdt_mesh* m) {

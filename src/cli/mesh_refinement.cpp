@@ -8,6 +8,8 @@
 
 #include "cli/counts.hpp"
 #include "cli/errors.hpp"
+#include "cli/formats/format.hpp"
+#include "cli/input_file.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/program_triangulation.hpp"
 #include "cli/progress.hpp"
@@ -32,6 +34,27 @@ std::vector<double> sizes_of_regions(const mgdt::Mesh& mesh, const std::vector<d
             throw Error(exit_usage, fmt::format("{}: no region has the marker {}", name, given[i]));
     }
     return sizes;
+}
+
+// Sets sizes at points in space: rows of three coordinates and a size.
+void set_size_field(mgdt::Mesh& mesh, const std::string& path) {
+    const InputFile file(path);
+    const Field field = read_npy_values(file.source());
+    constexpr std::size_t columns = 4;
+    if (field.components != columns)
+        throw Error(exit_input, fmt::format("{}: {} columns; a size field has 4", input_name(path),
+                                            field.components));
+    std::vector<Point> points;
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i + columns <= field.values.size(); i += columns) {
+        points.push_back({field.values[i], field.values[i + 1], field.values[i + 2]});
+        sizes.push_back(field.values[i + 3]);
+    }
+    try {
+        mesh.set_size_field(points, sizes);
+    } catch (...) {
+        rethrow_failure(input_name(path), mesh.last_error());
+    }
 }
 
 // What a refinement has done.
@@ -79,6 +102,10 @@ void add_refinement(CLI::App& app, RefineOptions& options) {
                    "The length of edges in the region with marker N; may be repeated")
         ->delimiter(',')
         ->type_name("N,H");
+    app.add_option("--size-field", options.size_field,
+                   "An .npy with a point and the length of edges there in each row")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
     app.add_flag("--surface-sizes", options.surface_sizes,
                  "Make edges as long as those of the surface near them");
     app.add_option("--volume", options.volume,
@@ -127,6 +154,7 @@ std::string refine_mesh(mgdt::Mesh& mesh, const RefineOptions& options, bool qui
         mesh.set_option(MeshDoubleOption::volume, options.volume);
         mesh.set_option(MeshOption::sizes_of_surface, options.surface_sizes ? 1 : 0);
         mesh.set_option(MeshOption::most_points, options.most_points);
+        if (!options.size_field.empty()) set_size_field(mesh, options.size_field);
         if (!options.region_sizes.empty())
             mesh.set_sizes(Sizes::of_regions, sizes_of_regions(mesh, options.region_sizes, name));
         mesh.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });

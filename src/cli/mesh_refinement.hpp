@@ -13,11 +13,13 @@ struct RefineOptions {
     double size = 0, gradation = 0.3, radius_edge = 1.4, volume = 0;
     bool surface_sizes = false;
     std::vector<double> region_sizes;  // the marker and the size for each
+    std::string size_field;            // a file with points and the sizes there, or none
     int most_points = 0;
 
     // Whether something says how large tetrahedra should be.
     bool is_asked_for() const {
-        return size > 0 || volume > 0 || surface_sizes || !region_sizes.empty();
+        return size > 0 || volume > 0 || surface_sizes || !region_sizes.empty() ||
+               !size_field.empty();
     }
 };
 

@@ -221,16 +221,31 @@ bool CavitySearch::keeps_all(const WalledMesh& walled) {
     return true;
 }
 
-// Finds the size of the point, from those of the vertices around it, and whether it is far enough
-// from all of them.
+// Lowers the size of the point as the vertices around it want, and finds out whether the point is
+// far enough from all of them.
 Refusal CavitySearch::judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept {
-    double weight = 0, sum = 0, nearest2 = 16;
+    double nearest2 = 16, size = point.size;
+    for (std::uint32_t i = 0; i < vertices_; ++i) {
+        const VertexId v = workspace.ids.data[i];
+        const Vector<double> d = difference<double>(mesh.walled.point(v), point.x);
+        const double d2 = dot(d, d), there = mesh.sizes[v];
+        nearest2 = std::min(nearest2, d2);
+        if (there < size) size = std::min(size, there + mesh.gradation * std::sqrt(d2));
+    }
+    point.size = size;
+    if (nearest2 < point.least2) return Refusal::near_vertex;
+    if (!mesh.interpolated.empty()) interpolate_size(mesh, point);
+    return Refusal::none;
+}
+
+// Interpolates between the sizes of vertices, as the gradation allows.
+void CavitySearch::interpolate_size(const RefinedMesh& mesh, NewPoint& point) const noexcept {
+    double weight = 0, sum = 0;
     double least = 0, most = std::numeric_limits<double>::infinity(), lowest = most, highest = 0;
     for (std::uint32_t i = 0; i < vertices_; ++i) {
         const VertexId v = workspace.ids.data[i];
         const Vector<double> d = difference<double>(mesh.walled.point(v), point.x);
-        const double d2 = dot(d, d), size = mesh.sizes[v];
-        nearest2 = std::min(nearest2, d2);
+        const double d2 = dot(d, d), size = mesh.interpolated[v];
         const double part = 1 / (d2 + 0x1p-200), change = mesh.gradation * std::sqrt(d2);
         weight += part;
         sum += part * size;
@@ -241,8 +256,8 @@ Refusal CavitySearch::judge_vertices(const RefinedMesh& mesh, NewPoint& point) c
     }
     // Equal sizes stay as they are, whatever rounding does to their mean.
     const double mean = std::min(std::max(sum / weight, lowest), highest);
-    point.size = std::min({point.size, most, std::max(least, mean)});
-    return nearest2 < point.least2 ? Refusal::near_vertex : Refusal::none;
+    point.interpolated = std::min(most, std::max(least, mean));
+    point.size = std::min(point.size, point.interpolated);
 }
 
 // Whether the point is near the plane of a wall at which the cavity ends.

@@ -11,10 +11,11 @@ namespace mgdt {
 // A point that is to be inserted.
 struct NewPoint {
     double x[3];
-    double size;        // of edges at the point, as the caller wants it
-    double least2;      // the square of the least distance from a vertex
-    double from_wall2;  // and of a distance from a wall below which the star has to be a gain
-    TetId start;        // a tetrahedron in conflict with the point
+    double size;          // of edges at the point, as the caller wants it
+    double interpolated;  // the part of it that is between those of vertices
+    double least2;        // the square of the least distance from a vertex
+    double from_wall2;    // and of a distance from a wall below which the star has to be a gain
+    TetId start;          // a tetrahedron in conflict with the point
     bool is_on_lattice;
     bool is_last;  // whether no other point is tried if this one is refused
 };
@@ -45,6 +46,7 @@ class CavitySearch {
     bool dig_within_members(const WalledMesh& mesh, TetId first, const double* q);
     bool keeps_all(const WalledMesh& mesh);
     Refusal judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept;
+    void interpolate_size(const RefinedMesh& mesh, NewPoint& point) const noexcept;
     bool is_near_wall(const WalledMesh& mesh, const NewPoint& point) const noexcept;
     bool is_gain(const RefinedMesh& mesh, const NewPoint& point) const noexcept;
 

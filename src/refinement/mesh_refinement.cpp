@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "platform/error.hpp"
@@ -50,16 +51,46 @@ bool is_exact(const LinkedMesh& linked, const SolidMesh& mesh) {
 }
 
 // Refuses sizes that would take more points than there are numbers for.
-void require_possible(const RefinedMesh& mesh, std::size_t most_points) {
+void require_possible(double wanted) {
+    constexpr double most = 0x1p27;  // 2^30 tetrahedra have fewer
+    if (wanted > most) fail(MGDT_ERR_TOO_LARGE, "the sizes would take about %.2g points", wanted);
+}
+double wanted_points(const RefinedMesh& mesh) {
     double wanted = 0;
     const Mesh& records = mesh.walled.mesh;
     for (TetId t = 0; t < records.tetrahedra.size(); ++t) {
         const Tetrahedron& tet = records.tetrahedra[t];
         if (!tet.is_dead() && !tet.is_ghost()) wanted += mesh.wanted_points(tet.v);
     }
-    constexpr double most = 0x1p27;  // 2^30 tetrahedra have fewer
-    if (wanted > most && most_points == 0)
-        fail(MGDT_ERR_TOO_LARGE, "the sizes would take about %.2g points", wanted);
+    return wanted;
+}
+
+// Finds the sizes that are wanted at the vertices and at places between them.
+void find_sizes(RefinedMesh& mesh, const SolidMesh& solid, const RefinementOptions& options,
+                const SizeWishes& wishes, double scale, Team& team, Allocator& allocator,
+                StageProgress& progress) {
+    const bool may_be_any = options.most_points > 0;
+    set_sizes(mesh, solid, wishes, options.size, options.sizes_of_surface, scale, progress);
+    std::optional<SizeSampler> sampler;
+    if (!wishes.varying.empty()) {
+        sampler.emplace(wishes.varying, scale, team, allocator, progress);
+        add_sizes_at_vertices(mesh, *sampler, progress);
+    }
+    limit_sizes(mesh, mesh.sizes, 0, progress);
+    if (!may_be_any) require_possible(wanted_points(mesh));
+    if (!sampler) return;
+    constexpr std::size_t cells_per_point = 16, least_cells = 0x10000, most_cells = 0x400000;
+    const std::size_t cells =
+        may_be_any ? std::min(least_cells +
+                                  cells_per_point * static_cast<std::size_t>(options.most_points),
+                              most_cells)
+                   : most_cells;
+    add_varying_sizes(mesh, *sampler, cells, progress);
+    limit_sizes(mesh, mesh.sizes, 0, progress);
+    if (!may_be_any) {
+        require_possible(mesh.places.varying.wanted_points());
+        require_possible(wanted_points(mesh));
+    }
 }
 
 }  // namespace
@@ -75,14 +106,12 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
         RefinedMesh refined_mesh(linked, team, allocator);
         refined_mesh.bounds = bounds_of(options, scale);
         refined_mesh.gradation = options.gradation;
+        const auto most_points = static_cast<std::size_t>(options.most_points);
         progress.enter(0, begun);
-        set_sizes(refined_mesh, mesh, wishes, options.size, options.sizes_of_surface, scale);
-        limit_sizes(refined_mesh, 0, progress);
-        require_possible(refined_mesh, static_cast<std::size_t>(options.most_points));
+        find_sizes(refined_mesh, mesh, options, wishes, scale, team, allocator, progress);
         const CubicLattice lattice = lattice_for(refined_mesh.sizes);
         Refiner refiner(refined_mesh, lattice, default_kernel(), team, allocator);
-        if (options.most_points > 0)
-            refiner.most_points = static_cast<std::size_t>(options.most_points);
+        if (most_points > 0) refiner.most_points = most_points;
         StageProgress inner = progress.within(begun, refined);
         refiner.run(inner);
         // New edges may be shorter than the ways along which sizes were limited.
@@ -90,7 +119,7 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
         constexpr double tolerance = 0.05;
         for (int i = 0; i < most_limits; ++i) {
             StageProgress quiet = progress.quiet();
-            if (!limit_sizes(refined_mesh, tolerance, quiet)) break;
+            if (!limit_sizes(refined_mesh, refined_mesh.sizes, tolerance, quiet)) break;
             refiner.run(quiet);
         }
         made.inserted = refiner.inserted;

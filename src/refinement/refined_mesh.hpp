@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "refinement/element.hpp"
+#include "refinement/place_sizes.hpp"
 #include "refinement/walled_mesh.hpp"
 
 namespace mgdt {
@@ -52,7 +53,11 @@ class Verdict {
 
 struct RefinedMesh {
     RefinedMesh(const LinkedMesh& from, Team& team, Allocator& allocator)
-        : walled(from, team, allocator), sizes(allocator), verdicts(allocator) {}
+        : walled(from, team, allocator),
+          sizes(allocator),
+          interpolated(allocator),
+          verdicts(allocator),
+          places(allocator) {}
 
     double mean_size(const VertexId (&v)[4]) const noexcept {
         return 0.25 * ((sizes[v[0]] + sizes[v[1]]) + (sizes[v[2]] + sizes[v[3]]));
@@ -84,8 +89,11 @@ struct RefinedMesh {
     }
 
     WalledMesh walled;
-    Buffer<double> sizes;      // of edges, as they are wanted at each vertex
+    Buffer<double> sizes;  // of edges, as they are wanted at each vertex
+    // Empty, or the part of that which is wanted at vertices only, and interpolated between them.
+    Buffer<double> interpolated;
     Buffer<Verdict> verdicts;  // for each slot
+    PlaceSizes places;
     double gradation = 0.3;
     ElementBounds bounds;
 };

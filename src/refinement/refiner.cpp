@@ -89,7 +89,9 @@ void Refiner::supply(std::size_t most) {
     auto next_vertex = static_cast<VertexId>(mesh.vertices.size());
     mesh_.walled.add_slots(slots - free_slots);
     mesh_.walled.add_vertices(vertices - free_vertices);
-    mesh_.sizes.resize(mesh.vertices.size(), std::numeric_limits<double>::infinity());
+    constexpr double none = std::numeric_limits<double>::infinity();
+    mesh_.sizes.resize(mesh.vertices.size(), none);
+    if (!mesh_.interpolated.empty()) mesh_.interpolated.resize(mesh.vertices.size(), none);
     mesh_.verdicts.resize(mesh.tetrahedra.size());
     for (TetId t = next_slot; t < mesh.tetrahedra.size(); ++t) mesh.tetrahedra[t].kill();
     slots_.resize(room);

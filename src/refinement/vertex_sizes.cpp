@@ -22,19 +22,31 @@ class VertexSizes {
                            std::numeric_limits<double>::infinity());
     }
 
-    void add(double everywhere) {
-        for (double& size : mesh_.sizes) lower(size, everywhere);
-    }
-    void add(const SizeWishes& wishes) {
+    void add_at_vertices(const SizeWishes& wishes) {
         for (std::size_t p = 0; p < wishes.of_points.size(); ++p)
             lower(mesh_.sizes[solid_.point_origins[p] == no_index ? p + 1
                                                                   : solid_.point_origins[p] + 1],
                   wishes.of_points[p]);
+        if (wishes.of_tetrahedra.empty()) return;
+        for (std::size_t t = 0; t < solid_.tetrahedron_count(); ++t)
+            for (std::size_t k = 4 * t; k < 4 * t + 4; ++k)
+                lower(mesh_.sizes[solid_.tetrahedra[k] + 1], wishes.of_tetrahedra[t]);
+    }
+    void add_at_places(const SizeWishes& wishes, double everywhere) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        PlaceSizes& places = mesh_.places;
+        places.everywhere = none;
+        lower(places.everywhere, everywhere);
+        for (double& size : mesh_.sizes) size = std::min(size, places.everywhere);
+        places.of_regions.clear();
+        if (wishes.of_regions.empty()) return;
+        places.of_regions.resize(wishes.of_regions.size(), none);
+        for (std::size_t r = 0; r < wishes.of_regions.size(); ++r)
+            lower(places.of_regions[r], wishes.of_regions[r]);
         for (std::size_t t = 0; t < solid_.tetrahedron_count(); ++t)
             for (std::size_t k = 4 * t; k < 4 * t + 4; ++k) {
                 double& size = mesh_.sizes[solid_.tetrahedra[k] + 1];
-                if (!wishes.of_tetrahedra.empty()) lower(size, wishes.of_tetrahedra[t]);
-                if (!wishes.of_regions.empty()) lower(size, wishes.of_regions[solid_.regions[t]]);
+                size = std::min(size, places.of_regions[solid_.regions[t]]);
             }
     }
     void add_surface();
@@ -108,17 +120,53 @@ class VertexStars {
 }  // namespace
 
 void set_sizes(RefinedMesh& mesh, const SolidMesh& solid, const SizeWishes& wishes,
-               double everywhere, bool are_of_surface, double scale) {
+               double everywhere, bool are_of_surface, double scale, StageProgress& progress) {
     VertexSizes sizes(mesh, solid, scale);
-    sizes.add(everywhere);
-    sizes.add(wishes);
+    sizes.add_at_vertices(wishes);
     if (are_of_surface) sizes.add_surface();
+    mesh.interpolated.clear();
+    if (are_of_surface || !wishes.of_points.empty() || !wishes.of_tetrahedra.empty()) {
+        limit_sizes(mesh, mesh.sizes, 0, progress);
+        mesh.interpolated.resize(mesh.sizes.size());
+        std::copy(mesh.sizes.begin(), mesh.sizes.end(), mesh.interpolated.begin());
+    }
+    sizes.add_at_places(wishes, everywhere);
+}
+
+void add_sizes_at_vertices(RefinedMesh& mesh, SizeSampler& sampler, StageProgress& progress) {
+    constexpr std::size_t most_at_once = 65536;
+    Buffer<double> places(mesh.sizes.allocator()), sampled(mesh.sizes.allocator());
+    for (std::size_t begin = 1; begin < mesh.sizes.size(); begin += most_at_once) {
+        progress.stop_request().poll();
+        const std::size_t count = std::min(mesh.sizes.size() - begin, most_at_once);
+        places.clear();
+        for (std::size_t v = begin; v < begin + count; ++v)
+            for (int k = 0; k < 3; ++k)
+                places.push_back(mesh.walled.point(static_cast<VertexId>(v))[k]);
+        sampled.resize(count);
+        sampler.sample(count, places.data(), sampled.data());
+        for (std::size_t i = 0; i < count; ++i)
+            mesh.sizes[begin + i] = std::min(mesh.sizes[begin + i], sampled[i]);
+    }
+}
+
+void add_varying_sizes(RefinedMesh& mesh, SizeSampler& sampler, std::size_t most_cells,
+                       StageProgress& progress) {
+    Buffer<SizeTree::Seed> seeds(mesh.sizes.allocator());
+    sampler.list_seeds(seeds);
+    const auto sample = [&](std::size_t n, const double* places, double* sizes) {
+        sampler.sample(n, places, sizes);
+    };
+    SizeTree& tree = mesh.places.varying;
+    tree.build(mesh.walled.mesh, sample, mesh.gradation, seeds, most_cells, progress);
+    for (VertexId v = 1; v < mesh.sizes.size(); ++v)
+        mesh.sizes[v] = std::min(mesh.sizes[v], tree.at(mesh.walled.point(v)));
 }
 
 // Vertices are passed in ascending order of their sizes (Dijkstra's algorithm).
-bool limit_sizes(RefinedMesh& mesh, double tolerance, StageProgress& progress) {
+bool limit_sizes(const RefinedMesh& mesh, Buffer<double>& sizes, double tolerance,
+                 StageProgress& progress) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    Buffer<double>& sizes = mesh.sizes;
     double least = infinity, most = 0;
     for (const double size : sizes) {
         least = std::min(least, size);

@@ -63,7 +63,6 @@ bool ZoneRefiner::propose(TetId t, NewPoint& point) const noexcept {
     const double least = mesh_.bounds.least_edge * size, near = mesh_.bounds.from_wall * size;
     const bool is_large = mesh_.bounds.exceeds_size(e, size);
     point.start = t;
-    point.size = std::numeric_limits<double>::infinity();
     point.from_wall2 = std::min(near * near, 0.25 * e.radius2);
     point.least2 = mesh_.bounds.exceeds_shape(e) ? e.shortest2 : 0.25 * e.radius2;
     if (is_large) point.least2 = least * least;
@@ -73,6 +72,7 @@ bool ZoneRefiner::propose(TetId t, NewPoint& point) const noexcept {
     // Tiny coordinates would be outside of the normal range.
     for (double& x : point.x)
         if (std::fabs(x) < 0x1p-100) x = 0;
+    point.size = mesh_.places.at(point.x, mesh_.walled.regions[t]);
     return true;
 }
 
@@ -125,6 +125,7 @@ void ZoneRefiner::insert(const NewPoint& point, ZoneSupply& supply) {
     ++inserted;
     walled.set_vertex(vertex, point.x);
     mesh_.sizes[vertex] = point.size;
+    if (!mesh_.interpolated.empty()) mesh_.interpolated[vertex] = point.interpolated;
     // Facets of the boundary stay what they are. Slots of the cavity are used again, so this is
     // read first.
     const std::size_t n = w.boundary_size;

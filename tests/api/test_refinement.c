@@ -255,10 +255,139 @@ static void memory_limits(void) {
     mgdt_mesh_destroy(m);
 }
 
+/* Points in space with sizes, which need not be in the mesh. */
+static void size_fields(void) {
+    static const double xyz[15] = {0, 0, 0, 5, 0, 0, 0, 5, 0, 0, 0, 5, 0, 0, 1e30};
+    double sizes_there[5] = {0.2, 0.3, 0.3, 0.3, 0.3}, x[3];
+    mgdt_mesh* const m = two_tetrahedra();
+    int64_t inserted;
+    int k;
+    CHECK_EQUAL(mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_GRADATION, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_set_size_field(NULL, 4, xyz, sizes_there), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_set_size_field(m, 4, NULL, sizes_there), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_set_size_field(m, 4, xyz, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_set_size_field(m, -1, xyz, sizes_there), MGDT_ERR_INVALID_ARGUMENT);
+    for (k = 0; k < 4; ++k) {
+        const double wrong[4] = {0, -1, HUGE_VAL, nan("")};
+        sizes_there[2] = wrong[k];
+        CHECK_EQUAL(mgdt_mesh_set_size_field(m, 4, xyz, sizes_there), MGDT_ERR_INVALID_ARGUMENT);
+        check_message(m, "size 2 is");
+    }
+    sizes_there[2] = 0.3;
+    memcpy(x, xyz, sizeof x);
+    x[1] = nan("");
+    CHECK_EQUAL(mgdt_mesh_set_size_field(m, 1, x, sizes_there), MGDT_ERR_NOT_FINITE);
+    CHECK_EQUAL(mgdt_mesh_set_size_field(m, 4, xyz, sizes_there), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_refine(m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+    inserted = stat_of(m, MGDT_MESH_STAT_INSERTED_POINTS);
+    CHECK(inserted > 20);
+    CHECK_EQUAL(
+        mgdt_mesh_get_doubles(m, MGDT_MESH_ARRAY_SIZES, size_of(m, MGDT_MESH_ARRAY_SIZES), NULL),
+        MGDT_ERR_NULL_POINTER);
+    mgdt_mesh_destroy(m);
+
+    /* One point, two, three in a plane, and one that is very far away. */
+    for (k = 1; k <= 5; ++k) {
+        mgdt_mesh* const other = two_tetrahedra();
+        CHECK_EQUAL(mgdt_mesh_set_size_field(other, k, xyz, sizes_there), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_set_option(other, MGDT_MESH_OPTION_MOST_POINTS, 1000), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_refine(other), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_check(other), MGDT_OK);
+        CHECK(stat_of(other, MGDT_MESH_STAT_INSERTED_POINTS) > 20);
+        /* Without the field there are no sizes. */
+        CHECK_EQUAL(mgdt_mesh_set_size_field(other, 0, NULL, NULL), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_refine(other), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_get_doubles(other, MGDT_MESH_ARRAY_SIZES, 1, x),
+                    MGDT_ERR_BUFFER_TOO_SMALL);
+        mgdt_mesh_destroy(other);
+    }
+}
+
+/* What the size function does, and how often it was called. */
+struct asked {
+    mgdt_mesh* m;
+    int64_t places;
+    double wrong;
+    int stops, calls;
+};
+
+static int32_t size_at(int64_t n, const double* xyz, double* to, void* user) {
+    struct asked* const asked = user;
+    int64_t i;
+    CHECK(n > 0 && n <= 65536);
+    for (i = 0; i < n; ++i) {
+        CHECK(to[i] == 0);
+        to[i] = asked->wrong != 0 && i == n / 2 ? asked->wrong : 0.2 + 0.2 * fabs(xyz[3 * i]);
+    }
+    asked->places += n;
+    ++asked->calls;
+    CHECK_EQUAL(mgdt_mesh_refine(asked->m), MGDT_ERR_BUSY);
+    if (asked->stops == 2) CHECK_EQUAL(mgdt_mesh_cancel(asked->m), MGDT_OK);
+    return asked->stops == 1;
+}
+
+static int32_t no_sizes(int64_t n, const double* xyz, double* to, void* user) {
+    int64_t i;
+    (void)xyz;
+    (void)user;
+    for (i = 0; i < n; ++i)
+        if (i % 2 == 0) to[i] = HUGE_VAL;
+    return 0;
+}
+
+static void size_functions(void) {
+    static const double wrong[3] = {-1, -HUGE_VAL, 0};
+    mgdt_mesh* const m = two_tetrahedra();
+    struct asked asked = {NULL, 0, 0, 0, 0};
+    mgdt_size_fn fn = no_sizes;
+    void* user = &fn;
+    int k;
+    asked.m = m;
+    CHECK_EQUAL(mgdt_mesh_get_size_function(m, &fn, &user), MGDT_OK);
+    CHECK(fn == NULL && user == NULL);
+    CHECK_EQUAL(mgdt_mesh_get_size_function(m, NULL, &user), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_get_size_function(NULL, &fn, &user), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_set_size_function(NULL, size_at, &asked), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_mesh_set_size_function(m, size_at, &asked), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_get_size_function(m, &fn, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_get_size_function(m, &fn, &user), MGDT_OK);
+    CHECK(fn == size_at && user == &asked);
+    for (k = 0; k < 3; ++k) {
+        asked.wrong = k == 2 ? nan("") : wrong[k];
+        CHECK_EQUAL(mgdt_mesh_refine(m), MGDT_ERR_INVALID_ARGUMENT);
+        check_message(m, "the size function gives");
+        CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_TETRAHEDRA), 2);
+    }
+    asked.wrong = 0;
+    for (asked.stops = 1; asked.stops <= 2; ++asked.stops) {
+        CHECK_EQUAL(mgdt_mesh_refine(m), MGDT_ERR_CANCELLED);
+        CHECK_EQUAL(stat_of(m, MGDT_MESH_STAT_TETRAHEDRA), 2);
+    }
+    asked.stops = 0;
+    asked.calls = 0;
+    asked.places = 0;
+    CHECK_EQUAL(mgdt_mesh_refine(m), MGDT_OK);
+    CHECK_EQUAL(mgdt_mesh_check(m), MGDT_OK);
+    CHECK(stat_of(m, MGDT_MESH_STAT_INSERTED_POINTS) > 100);
+    CHECK(asked.calls > 2 && asked.places > 1000);
+    mgdt_mesh_destroy(m);
+    {
+        mgdt_mesh* const other = two_tetrahedra();
+        CHECK_EQUAL(mgdt_mesh_set_size_function(other, no_sizes, NULL), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_set_double_option(other, MGDT_MESH_OPTION_RADIUS_EDGE, 0), MGDT_OK);
+        CHECK_EQUAL(mgdt_mesh_refine(other), MGDT_OK);
+        CHECK_EQUAL(stat_of(other, MGDT_MESH_STAT_INSERTED_POINTS), 0);
+        mgdt_mesh_destroy(other);
+    }
+}
+
 void test_refinement(void) {
     options();
     sizes();
     regions();
+    size_fields();
+    size_functions();
     hostile();
     cancelling();
     memory_limits();

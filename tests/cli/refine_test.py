@@ -43,8 +43,9 @@ def box(n):
     return "\n".join(rows + [""])
 
 
-def npy(values):
-    header = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d,), }" % len(values)
+def npy(values, columns=1):
+    shape = f"({len(values)},)" if columns == 1 else f"({len(values) // columns}, {columns})"
+    header = "{'descr': '<f8', 'fortran_order': False, 'shape': %s, }" % shape
     header = header.ljust((len(header) + 11 + 63) // 64 * 64 - 11) + "\n"
     return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode() +
             struct.pack(f"<{len(values)}d", *values))
@@ -86,6 +87,18 @@ class RefineTest(CliTest):
         self.assertGreater(inserted(said), 500)
         self.fails(2, "mesh", "box.off", "-o", "c.vtu", "--region-size", "8,0.2", says="no region has the marker 8")
         self.fails(2, "mesh", "box.off", "-o", "c.vtu", "--region-size", "8", says="2 numbers")
+
+    def test_a_size_field(self):
+        field = [0, 0, 0, 0.1, 2, 0, 0, 0.5, 0, 2, 0, 0.5, 0, 0, 2, 0.5, 2, 2, 2, 0.5]
+        self.put("field.npy", npy(field, 4))
+        said = self.mgdt("mesh", "box.off", "-o", "c.vtu", "--size-field", "field.npy", "--check").decode()
+        self.assertGreater(inserted(said), 40)
+        self.assertIn("dihedral", said)
+        self.fails(3, "mesh", "box.off", "-o", "d.vtu", "--size-field", "box.off", says="box.off")
+        self.put("flat.npy", npy(field[:18], 3))
+        self.fails(3, "mesh", "box.off", "-o", "d.vtu", "--size-field", "flat.npy", says="3 columns")
+        self.put("zero.npy", npy(field[:19] + [0], 4))
+        self.fails(3, "mesh", "box.off", "-o", "d.vtu", "--size-field", "zero.npy", says="size 4 is 0")
 
     def test_a_mesh_of_others(self):
         self.put("a.mesh", improve_test.medit())

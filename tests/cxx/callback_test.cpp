@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The progress callback: any callable, exceptions through it, and cancelling.
+// The callbacks for progress and sizes: any callable, exceptions through it, and cancelling.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -329,4 +329,51 @@ TEST(CxxThreads, ConstFunctionsRunAtOnce) {
         });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(different.load(), 0);
+}
+
+namespace {
+
+// A tetrahedron as a mesh.
+mgdt::Mesh one_tetrahedron() {
+    mgdt::Mesh mesh;
+    mesh.set_points(std::vector<mgdt::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    mesh.set_tetrahedra(std::vector<std::int64_t>{0, 1, 2, 3});
+    mesh.build();
+    return mesh;
+}
+
+}  // namespace
+
+TEST(CxxSizeFunction, ThrowsThroughTheCall) {
+    mgdt::Mesh mesh = one_tetrahedron();
+    mesh.set_size_function([](const mgdt::Point&) -> double { throw Stop{7}; });
+    try {
+        mesh.refine();
+        ADD_FAILURE() << "nothing thrown";
+    } catch (const Stop& stop) {
+        EXPECT_EQ(stop.call, 7);
+    }
+    EXPECT_EQ(mesh.statistic(mgdt::MeshStatistic::tetrahedra), 1);
+    mesh.set_size_function([](const mgdt::Point&) { return -1; });
+    EXPECT_THROW(mesh.refine(), mgdt::Error);
+}
+
+TEST(CxxSizeFunction, GoesWithTheMesh) {
+    long calls = 0;
+    mgdt::Mesh mesh = one_tetrahedron();
+    mesh.set_size_function([&calls, much = std::string(100, 'x')](const mgdt::Point& p) {
+        EXPECT_EQ(much.size(), 100u);
+        ++calls;
+        return 0.1 + 0.1 * p[2];
+    });
+    mgdt::Mesh moved = std::move(mesh), other;
+    swap(moved, other);
+    other.refine();
+    EXPECT_GT(calls, 100);
+    EXPECT_GT(other.statistic(mgdt::MeshStatistic::inserted_points), 20);
+    mgdt_mesh* const handle = other.release();
+    mgdt_size_fn fn = nullptr;
+    EXPECT_EQ(mgdt_mesh_get_size_function(handle, &fn, nullptr), MGDT_OK);
+    EXPECT_EQ(fn, nullptr);
+    mgdt_mesh_destroy(handle);
 }

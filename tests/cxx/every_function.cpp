@@ -148,6 +148,21 @@ bool calls_mesh() {
     mesh.set_sizes(mgdt::Sizes::of_points, sizes);
     mesh.refine();
     if (mesh.array(mgdt::MeshArray::refusals).empty()) return false;
+    mesh.set_size_field(std::vector<mgdt::Point>{{0, 0, 0}, {1, 1, 1}},
+                        std::vector<double>{0.3, 0.5});
+    int asked = 0;
+    mesh.set_size_function([&](const mgdt::Point& p) { return ++asked, 0.3 + 0.1 * p[0]; });
+    mesh.refine();
+    if (asked == 0) return false;
+    mesh.clear_size_function();
+    mgdt_size_fn fn = nullptr;
+    if (mgdt_mesh_get_size_function(mesh.handle(), &fn, nullptr) != MGDT_OK || fn) return false;
+    try {
+        mesh.set_size_field(std::vector<mgdt::Point>{{0, 0, 0}}, std::vector<double>{0.3, 0.5});
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
     if (mesh.doubles(mgdt::MeshDoubles::sizes).size() !=
         static_cast<std::size_t>(mesh.statistic(mgdt::MeshStatistic::points)))
         return false;

@@ -207,10 +207,18 @@ Kind mesh() {
               if (s == MGDT_OK) s = mgdt_mesh_improve(m(h));
               return s;
           }},
+         {"set_size_field",
+          [m](void* h) {
+              const double places[] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 2, 2, 2},
+                           sizes[] = {0.9, 1.2, 1.3, 1.4, 1.5};
+              return mgdt_mesh_set_size_field(m(h), 5, places, sizes);
+          }},
+         {"refine in space", [m](void* h) { return mgdt_mesh_refine(m(h)); }},
          {"refine",
           [m](void* h) {
               const double size = 0.5;
-              mgdt_status s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.6);
+              mgdt_status s = mgdt_mesh_set_size_field(m(h), 0, nullptr, nullptr);
+              if (s == MGDT_OK) s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.6);
               if (s == MGDT_OK) s = mgdt_mesh_set_sizes(m(h), MGDT_SIZES_OF_REGIONS, 1, &size);
               if (s == MGDT_OK) s = mgdt_mesh_refine(m(h));
               return s;

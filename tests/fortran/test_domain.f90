@@ -17,7 +17,7 @@ program test_domain
     integer, parameter :: squares(4, 11) = reshape([ &
         1, 4, 3, 2, 1, 2, 6, 5, 2, 3, 7, 6, 3, 4, 8, 7, 4, 1, 5, 8, 5, 6, 7, 8, &
         5, 6, 10, 9, 6, 7, 11, 10, 7, 8, 12, 11, 8, 5, 9, 12, 9, 10, 11, 12], [4, 11])
-    integer :: heard = 0
+    integer :: heard = 0, asked = 0
 
     call two_cubes()
     call a_hole()
@@ -185,6 +185,19 @@ contains
         cancel = cancel .or. fraction > 1
     end subroutine
 
+    ! Asks to stop if `asked` is negative.
+    subroutine find_sizes(xyz, sizes, cancel)
+        real(real64), intent(in) :: xyz(:, :)
+        real(real64), intent(inout) :: sizes(:)
+        logical, intent(inout) :: cancel
+
+        call expect(size(xyz, 1) == 3 .and. size(xyz, 2) == size(sizes), 'places of sizes')
+        call expect(all(abs(sizes) <= 0), 'sizes are 0 at first')
+        cancel = asked < 0
+        asked = asked + size(sizes)
+        sizes = 0.5_real64 + 0.1_real64*xyz(3, :)
+    end subroutine
+
     subroutine stop_it(fraction, cancel)
         real(real64), intent(in) :: fraction
         logical, intent(inout) :: cancel
@@ -348,6 +361,22 @@ contains
         call other%get(mgdt_mesh_array_sizes, sizes)
         call expect(size(sizes) == other%statistic(mgdt_mesh_stat_points) .and. &
                     abs(sizes(1) - 0.25_real64) <= 0, 'the sizes')
+        ! Sizes that vary in space.
+        call other%set_size_field(reshape([0.0_real64, 0.0_real64, 0.0_real64, 1.0_real64, &
+                                           1.0_real64, 1.0_real64], [3, 2]), [0.5_real64, 0.25_real64])
+        call other%set_size_field(points(:, :2), [1.0_real64], stat, message)
+        call expect_error(stat, mgdt_err_invalid_argument, message, 'sizes')
+        call other%set_size_function(find_sizes)
+        asked = 0
+        call other%refine()
+        call expect(asked > 10, 'places of a size function')
+        call other%check()
+        asked = -1
+        call other%refine(stat, message)
+        call expect_error(stat, mgdt_err_cancelled, message, 'stop')
+        call other%remove_size_function()
+        call other%set_size_field(reshape([real(real64) ::], [3, 0]), [real(real64) ::])
+        call other%refine()
         call other%get(mgdt_mesh_array_refusals, reasons)
         call expect(count(reasons /= mgdt_refusal_none) == other%statistic(mgdt_mesh_stat_refused), &
                     'refusals')

@@ -195,6 +195,20 @@ class Session {
         }
     }
 
+    // Sizes that change between 0 and a size, with jumps.
+    struct Waves {
+        bool are_asked_for;
+        double size, length;
+    };
+    static std::int32_t find_waves(std::int64_t n, const double* xyz, double* sizes, void* user) {
+        const Waves& waves = *static_cast<const Waves*>(user);
+        for (std::int64_t i = 0; i < n; ++i) {
+            const double place = xyz[3 * i] / waves.length;
+            sizes[i] = waves.size * std::fabs(place - std::floor(place));
+        }
+        return 0;
+    }
+
     // A size: any power of two, or one that fits the mesh, or none.
     double size(double length) {
         switch (in_.below(4)) {
@@ -222,6 +236,15 @@ class Session {
                                         MGDT_MESH_STAT_REGIONS};
         std::vector<double> sizes;
         for (std::int64_t n = one.stat(counts[of]); n > 0; --n) sizes.push_back(size(length));
+        // Sizes in space: a field around the mesh, and a function of the first coordinate.
+        std::vector<double> field, field_sizes;
+        const double unit = length < 1e300 ? length : 1;
+        for (unsigned n = in_.below(12); n > 0; --n) {
+            for (int k = 0; k < 3; ++k) field.push_back(unit * (in_.below(33) - 16.0) / 8);
+            const double there = size(length);
+            field_sizes.push_back(there > 0 && there < 1e300 ? there : 1.0);
+        }
+        Waves waves = {in_.below(2) != 0, unit, unit * (1 + in_.below(64)) / 16};
         other.set(MGDT_MESH_OPTION_THREADS, 2);
         mgdt_status status[2];
         int k = 0;
@@ -235,6 +258,12 @@ class Session {
             FUZZ_REQUIRE(mgdt_mesh_set_sizes(*m, of, static_cast<std::int64_t>(sizes.size()),
                                              sizes.data()) == MGDT_OK,
                          "sizes");
+            FUZZ_REQUIRE(mgdt_mesh_set_size_field(*m, static_cast<std::int64_t>(field_sizes.size()),
+                                                  field.data(), field_sizes.data()) == MGDT_OK,
+                         "a field of sizes");
+            if (waves.are_asked_for)
+                FUZZ_REQUIRE(mgdt_mesh_set_size_function(*m, find_waves, &waves) == MGDT_OK,
+                             "a size function");
             status[k++] = mgdt_mesh_refine(*m);
         }
         FUZZ_REQUIRE(status[0] == MGDT_OK && status[1] == MGDT_OK, "refine");

@@ -658,6 +658,8 @@ test("a mesh", function()
     equal(refined:refine { size = 0.75, gradation = 0.5, radius_edge = 1.5, volume = 0.125, sizes_of_surface = true,
         most_points = 2000, region_sizes = { 0.45, 0 }, point_sizes = sizes.of_points,
         tetrahedron_sizes = sizes.of_tetrahedra,
+        size_field = { { { 0, 0, 0 }, { 8, 0, 0 }, { 0, 8, 0 }, { 0, 0, 8 } }, { 0.5, 0.75, 0.75, 1 } },
+        size_function = function(_, _, z) return 0.375 + 0.125 * z end,
         progress = function(fraction) heard = heard + fraction end }, refined, "the mesh")
     assert(heard > 0)
     equal(refined:check(), true, "check")
@@ -725,9 +727,14 @@ test("a mesh", function()
         refused("invalid_argument", {}, tetrahedron.improve, tetrahedron, { [name] = value })
     end
     for name, value in pairs { size = "1", gradation = -1, radius_edge = {}, volume = -1, most_points = -1,
-        sizes_of_surface = 1, region_sizes = { 1, 2 }, point_sizes = { 1, 1, 1, "1" }, tetrahedron_sizes = 1, most = 1 } do
+        sizes_of_surface = 1, region_sizes = { 1, 2 }, point_sizes = { 1, 1, 1, "1" }, tetrahedron_sizes = 1, most = 1,
+        size_field = { { { 0, 0, 0 } }, {} }, size_function = 3 } do
         refused("invalid_argument", {}, tetrahedron.refine, tetrahedron, { [name] = value })
     end
+    refused("invalid_argument", { "the size function gives -1" }, tetrahedron.refine, tetrahedron,
+        { size_function = function() return -1 end })
+    local _, problem = pcall(tetrahedron.refine, tetrahedron, { size_function = function() error "no size" end })
+    assert(tostring(problem):find "no size")
     refused("cancelled", {}, refined.refine, refined, { size = 0.2, progress = function() return true end })
     equal(refined:check(), true, "check")
     refused("cancelled", {}, mesh.improve, mesh, { goal = 40, progress = function() return true end })

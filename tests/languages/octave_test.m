@@ -306,6 +306,8 @@ function refinement (folder)
   mesh = mgdt_refine (given{:}, "size", 0.75, "gradation", 0.5, "radius_edge", 1.5, "volume", 0.125, ...
                       "sizes_of_surface", true, "most_points", 2000, "region_sizes", [0.45 0], ...
                       "point_sizes", [0.3; zeros(124, 1)], "tetrahedron_sizes", [zeros(383, 1); 0.25], ...
+                      "size_field", {[0 0 0; 8 0 0; 0 8 0; 0 0 8], [0.5 0.75 0.75 1]}, ...
+                      "size_function", @(places) 0.375 + 0.125 * places(:,3), ...
                       "progress", @add_to_heard, "check", true);
   assert (heard > 0);
   assert (mesh.tetrahedra, from_1 (read (folder, "refined_tetrahedra", "int64", 4)));
@@ -316,6 +318,10 @@ function refinement (folder)
   assert (rows (better.tetrahedra) > rows (mesh.tetrahedra));
   refused ("mgdt:invalid_argument", {"-1"}, @() mgdt_refine (mesh, "size", -1));
   refused ("mgdt:invalid_argument", {"2 sizes of points"}, @() mgdt_refine (mesh, "point_sizes", [1 2]));
+  refused ("mgdt:invalid_argument", {"-1"}, @() mgdt_refine (mesh, "size_function", @(x) -x(:,1) - 1));
+  refused ("mgdt:invalid_argument", {"1 sizes"}, @() mgdt_refine (mesh, "size_function", @(x) 1));
+  refused ("mgdt:invalid_argument", {"size_field"}, @() mgdt_refine (mesh, "size_field", {[0 0 0], [1 2]}));
+  refused ("mgdt:invalid_argument", {"size_field"}, @() mgdt_refine (mesh, "size_field", 3));
   refused ("mgdt:unknown_key", {"gradation"}, @() mgdt_refine (mesh, "goal", 30));
   refused ("mgdt:cancelled", {}, @() mgdt_refine (mesh, "size", 0.2, "progress", @(f) true));
   refused ("Octave:invalid-fun-call", {}, @() mgdt_refine (given{1}));

@@ -197,14 +197,25 @@ static void export_places(const mgdt_mesh* m) {
     free(xyz);
 }
 
+static int32_t size_at(int64_t n, const double* xyz, double* sizes, void* user) {
+    int64_t i;
+    (void)user;
+    for (i = 0; i < n; ++i) sizes[i] = 0.375 + 0.125 * xyz[3 * i + 2];
+    return 0;
+}
+
 /* Refines a block of two regions and 125 points by sizes of all kinds. */
 static void refine_block(mgdt_mesh* m) {
     static const double of_regions[2] = {0.45, 0};
+    static const double field_points[12] = {0, 0, 0, 8, 0, 0, 0, 8, 0, 0, 0, 8},
+                        field_sizes[4] = {0.5, 0.75, 0.75, 1};
     double of_points[125] = {0.3}, of_tetrahedra[384] = {0};
     of_tetrahedra[383] = 0.25;
     if (mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_REGIONS, 2, of_regions) != MGDT_OK ||
         mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_POINTS, 125, of_points) != MGDT_OK ||
         mgdt_mesh_set_sizes(m, MGDT_SIZES_OF_TETRAHEDRA, 384, of_tetrahedra) != MGDT_OK ||
+        mgdt_mesh_set_size_field(m, 4, field_points, field_sizes) != MGDT_OK ||
+        mgdt_mesh_set_size_function(m, size_at, NULL) != MGDT_OK ||
         mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_SIZE, 0.75) != MGDT_OK ||
         mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_GRADATION, 0.5) != MGDT_OK ||
         mgdt_mesh_set_double_option(m, MGDT_MESH_OPTION_RADIUS_EDGE, 1.5) != MGDT_OK ||
@@ -213,6 +224,8 @@ static void refine_block(mgdt_mesh* m) {
         mgdt_mesh_set_option(m, MGDT_MESH_OPTION_MOST_POINTS, 2000) != MGDT_OK ||
         mgdt_mesh_refine(m) != MGDT_OK || mgdt_mesh_check(m) != MGDT_OK)
         stop("the block was not refined");
+    mgdt_mesh_set_size_function(m, NULL, NULL);
+    mgdt_mesh_set_size_field(m, 0, NULL, NULL);
     write_mesh(m, "refined");
 }
 

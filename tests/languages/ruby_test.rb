@@ -289,7 +289,9 @@ class MgdtTest < Minitest::Test
     mesh = block_mesh(**given_block)
     refined = mesh.refine(size: 0.75, gradation: 0.5, radius_edge: 1.5, volume: 0.125, sizes_of_surface: true,
                           most_points: 2000, region_sizes: [0.45, 0], point_sizes: [0.3] + [0] * 124,
-                          tetrahedron_sizes: [0] * 383 + [0.25]) { |fraction| heard += fraction }
+                          tetrahedron_sizes: [0] * 383 + [0.25],
+                          size_field: [[[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]], [0.5, 0.75, 0.75, 1]],
+                          size_function: ->(_, _, z) { 0.375 + 0.125 * z }) { |fraction| heard += fraction }
     assert_same mesh, refined.check
     assert_operator heard, :>, 0
     assert_equal mesh.points.size - 125, mesh.inserted_points
@@ -300,6 +302,9 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.doubles("refined_sizes"), mesh.sizes
     assert_raises(Mgdt::Cancelled) { mesh.refine(size: 0.2) { :cancel } }
     refused(Mgdt::InvalidArgument, "-1") { mesh.refine(size: -1) }
+    refused(Mgdt::InvalidArgument, "size function gives -1") { mesh.refine(size_function: ->(*) { -1 }) }
+    assert_raises(ZeroDivisionError) { mesh.refine(size_function: ->(*) { 1 / 0 }) }
+    refused(Mgdt::InvalidArgument, "1 points have 2 sizes") { mesh.refine(size_field: [[[0, 0, 0]], [1, 2]]) }
     refused(Mgdt::InvalidArgument, "Array of numbers") { mesh.refine(region_sizes: [nil, 1]) }
     refused(Mgdt::InvalidArgument, "1 sizes of regions, of which there are 2") { mesh.refine(region_sizes: [1]) }
     mesh.check
@@ -733,7 +738,7 @@ class MgdtTest < Minitest::Test
     return :pointer if text.include?("*")
 
     name = text[/\w+/]
-    { "mgdt_status" => :int32, "mgdt_progress_fn" => :progress, "mgdt_alloc_fn" => :pointer,
+    { "mgdt_status" => :int32, "mgdt_progress_fn" => :progress, "mgdt_size_fn" => :size, "mgdt_alloc_fn" => :pointer,
       "mgdt_free_fn" => :pointer, "void" => :void,
       "double" => :double }.fetch(name) { name.delete_suffix("_t").to_sym }
   end

@@ -136,7 +136,8 @@ kinds = {
     "char*": "c_char_p", "void*": "c_void_p", "mgdt_status": "c_int", "void": None,
     "int32_t*": "c_void_p", "int64_t*": "c_void_p", "double*": "c_void_p",
     "uint64_t*": "c_void_p", "mgdt_progress_fn*": "c_void_p", "void**": "LP_c_void_p",
-    "mgdt_progress_fn": "CFunctionType", "mgdt_alloc_fn": "CFunctionType",
+    "mgdt_progress_fn": "CFunctionType", "mgdt_size_fn": "CFunctionType", "mgdt_size_fn*": "c_void_p",
+    "mgdt_alloc_fn": "CFunctionType",
     "mgdt_free_fn": "CFunctionType", **handles,
 }
 declared = {}

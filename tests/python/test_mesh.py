@@ -116,6 +116,36 @@ class Mesh(unittest.TestCase):
         self.assertEqual(done.inserted, 50)
         self.assertIn(5, done.refusals)
 
+    def test_sizes_in_space(self) -> None:
+        places: list[int] = []
+
+        def size(xyz: np.ndarray) -> np.ndarray:
+            self.assertEqual(xyz.shape[1], 3)
+            places.append(len(xyz))
+            return 0.2 + 0.2 * np.linalg.norm(xyz, axis=1)
+
+        mesh = mgdt.Mesh(POINTS, SIMPLICES)
+        done = mesh.refine(size_function=size)
+        mesh.check()
+        self.assertGreater(sum(places), done.inserted / 10)
+        at = np.linalg.norm(mesh.points, axis=1)
+        self.assertTrue((done.sizes <= 0.22 + 0.22 * at).all())
+        again = copy.deepcopy(mesh)
+        self.assertEqual(again.points.tolist(), mesh.points.tolist())
+        by_field = mgdt.Mesh(POINTS, SIMPLICES)
+        done = by_field.refine(size_field=(POINTS, size(POINTS)))
+        by_field.check()
+        self.assertGreater(done.inserted, 0.5 * mesh.npoints)
+        with self.assertRaisesRegex(mgdt.Error, "the size function gives -1"):
+            mesh.refine(size_function=lambda xyz: np.full(len(xyz), -1.0))
+        with self.assertRaisesRegex(ValueError, r"shape \(\d+,\), not \(3,\)"):
+            mesh.refine(size_function=lambda xyz: [1, 2, 3])
+        with self.assertRaises(KeyError):
+            mesh.refine(size_function=lambda xyz: {}["size"])
+        with self.assertRaisesRegex(ValueError, "size_field"):
+            mesh.refine(size_field=(POINTS, [1.0]))
+        self.assertEqual(again.points.tolist(), mesh.points.tolist())
+
     def test_what_stays(self) -> None:
         on_surface = ((POINTS == 0) | (POINTS == N)).any(axis=1)
         fixed = np.flatnonzero(~on_surface)[:7]

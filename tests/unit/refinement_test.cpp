@@ -120,22 +120,27 @@ TEST(Refinement, KeepsRegionsAndFaces) {
     });
 }
 
-// A box whose sides have the wanted size is filled with edges near it.
-TEST(Refinement, FillsABoxWithOneSize) {
-    MeshedDomain domain;
-    const Surface box = gridded_box(12, 12, 12, 0, 1);
-    // Only the points of the sides.
-    Surface hollow{"hollow box"};
+// Adds the sides of a cube of n^3 unit cubes.
+void add_gridded_sides(Surface& to, int n, double origin) {
+    const Surface box = gridded_box(n, n, n, 0, 1);
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::size_t f = 0; f < box.facets.size(); ++f) {
         std::vector<std::uint32_t> corners = box.facets[f];
         for (std::uint32_t& v : corners) {
             const double* const x = box.points.data() + 3 * std::size_t{v};
-            if (number.count(v) == 0) number[v] = hollow.point(x[0], x[1], x[2]);
+            if (number.count(v) == 0)
+                number[v] = to.point(origin + x[0], origin + x[1], origin + x[2]);
             v = number[v];
         }
-        hollow.facet(corners, box.markers[f]);
+        to.facet(corners, box.markers[f]);
     }
+}
+
+// A box whose sides have the wanted size is filled with edges near it.
+TEST(Refinement, FillsABoxWithOneSize) {
+    MeshedDomain domain;
+    Surface hollow{"hollow box"};
+    add_gridded_sides(hollow, 12, 0);
     give(domain, hollow);
     domain.build();
     Refined refined(domain.mesh());
@@ -269,6 +274,99 @@ TEST(Refinement, SizesOfTetrahedraAndRegions) {
         expect_bounds(refined);
         EXPECT_GT(points_in(refined.mesh(), 0), 3 * points_in(refined.mesh(), 1));
     }
+}
+
+// The distance from a place inside of the box, and a size that grows with it.
+double size_near_a_place(const double* x) {
+    const double place[3] = {4.1, 3.2, 4.7};
+    const Vector<double> d = difference<double>(x, place);
+    return 0.15 + 0.25 * std::sqrt(dot(d, d));
+}
+
+void expect_edges_of_size(const Refined& refined) {
+    std::size_t near = 0, all = 0;
+    for (std::size_t t = 0; t < refined.mesh().tetrahedron_count(); ++t)
+        for (std::size_t i = 4 * t; i < 4 * t + 4; ++i)
+            for (std::size_t j = 4 * t; j < i; ++j) {
+                const double* const a = refined.point(refined.mesh().tetrahedra[i]);
+                const double* const b = refined.point(refined.mesh().tetrahedra[j]);
+                const Vector<double> d = difference<double>(a, b);
+                const double middle[3] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+                const double relative = std::sqrt(dot(d, d)) / size_near_a_place(middle);
+                near += relative > 0.5 && relative < 1.6;
+                ++all;
+            }
+    EXPECT_GT(static_cast<double>(near), 0.95 * static_cast<double>(all));
+}
+
+TEST(Refinement, SizesOfAFunction) {
+    MeshedDomain domain;
+    give(domain, gridded_box(8, 8, 8, 0, 2));
+    domain.build();
+    Refined refined(domain.mesh());
+    std::size_t asked = 0;
+    refined.wishes.varying.user = &asked;
+    refined.wishes.varying.function = [](std::int64_t n, const double* xyz, double* sizes,
+                                         void* user) -> std::int32_t {
+        *static_cast<std::size_t*>(user) += static_cast<std::size_t>(n);
+        for (std::int64_t i = 0; i < n; ++i) {
+            EXPECT_EQ(sizes[i], 0);
+            sizes[i] = size_near_a_place(xyz + 3 * i);
+        }
+        return 0;
+    };
+    refined.refine();
+    expect_good_mesh(refined.mesh());
+    expect_bounds(refined);
+    expect_edges_of_size(refined);
+    EXPECT_LT(asked, 10 * refined.report.inserted + 5000);
+    Refined other(domain.mesh());
+    other.wishes.varying.user = &asked;
+    other.wishes.varying.function = refined.wishes.varying.function;
+    other.refine(3);
+    expect_equal(refined.mesh(), other.mesh());
+}
+
+TEST(Refinement, SizesOfAField) {
+    MeshedDomain domain;
+    give(domain, gridded_box(8, 8, 8, 0, 2));
+    domain.build();
+    Refined refined(domain.mesh());
+    Buffer<double>& points = refined.wishes.varying.field_points;
+    for (int i = 0; i < 11 * 11 * 11; ++i)
+        for (const int step : {1, 11, 121}) points.push_back(i / step % 11 - 1);
+    for (const double c : {4.1, 3.2, 4.7}) points.push_back(c);
+    for (std::size_t i = 0; i < points.size(); i += 3)
+        refined.wishes.varying.field_sizes.push_back(size_near_a_place(points.begin() + i));
+    refined.refine();
+    expect_good_mesh(refined.mesh());
+    expect_bounds(refined);
+    expect_edges_of_size(refined);
+}
+
+// A region with large elements between regions with small ones.
+TEST(Refinement, SizesOfNestedRegions) {
+    MeshedDomain domain;
+    Surface boxes{"nested boxes"};
+    for (const int inset : {0, 1, 8}) add_gridded_sides(boxes, 18 - 2 * inset, inset);
+    give(domain, boxes);
+    domain.build();
+    ASSERT_EQ(domain.mesh().region_markers.size(), 3u);
+    double volumes[3] = {0, 0, 0};
+    for (std::size_t t = 0; t < domain.mesh().tetrahedron_count(); ++t)
+        volumes[domain.mesh().regions[t]] += Refined(domain.mesh()).element(t).volume;
+    std::size_t inserted[2];
+    for (const bool are_equal : {false, true}) {
+        Refined refined(domain.mesh());
+        refined.options.gradation = 0.5;
+        for (const double volume : volumes)
+            refined.wishes.of_regions.push_back(volume > 3000 && !are_equal ? 4.0 : 1.2);
+        refined.refine();
+        expect_good_mesh(refined.mesh());
+        expect_bounds(refined);
+        inserted[are_equal] = refined.report.inserted;
+    }
+    EXPECT_LT(2 * inserted[0], inserted[1]);
 }
 
 // Whatever the library is refused, the mesh stays as it was, and nothing leaks.

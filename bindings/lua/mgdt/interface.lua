@@ -11,6 +11,7 @@ typedef struct mgdt_periodic mgdt_periodic;
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
 typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
+typedef int32_t (*mgdt_size_fn)(int64_t n, const double *xyz, double *sizes, void *user);
 int32_t mgdt_create(mgdt_triangulation **out);
 int32_t mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
                                    mgdt_triangulation **out);
@@ -180,6 +181,9 @@ int32_t mgdt_mesh_set_edges_i32(mgdt_mesh *m, int64_t n, const int32_t *ends,
 int32_t mgdt_mesh_set_fixed_points(mgdt_mesh *m, int64_t n, const int64_t *points);
 int32_t mgdt_mesh_set_fixed_points_i32(mgdt_mesh *m, int64_t n, const int32_t *points);
 int32_t mgdt_mesh_set_sizes(mgdt_mesh *m, int32_t of, int64_t n, const double *sizes);
+int32_t mgdt_mesh_set_size_field(mgdt_mesh *m, int64_t n, const double *xyz, const double *sizes);
+int32_t mgdt_mesh_set_size_function(mgdt_mesh *m, mgdt_size_fn fn, void *user);
+int32_t mgdt_mesh_get_size_function(const mgdt_mesh *m, mgdt_size_fn *fn, void **user);
 int32_t mgdt_mesh_build(mgdt_mesh *m);
 int32_t mgdt_mesh_refine(mgdt_mesh *m);
 int32_t mgdt_mesh_improve(mgdt_mesh *m);

@@ -51,6 +51,29 @@ function Mesh:tetrahedron_measures(measure)
 end
 jit.off(Mesh.tetrahedron_measures)
 
+-- Calls body() while the library asks a function of x, y and z for sizes, and raises its errors afterwards.
+local function with_sizes(handle, find, body)
+    if find == nil then return body() end
+    if type(find) ~= "function" then bad_argument("size_function is %s; it must be a function", type(find)) end
+    local failed, problem = false, nil
+    local callback = ffi.cast("mgdt_size_fn", function(n, xyz, sizes)
+        -- Nothing may be thrown through the library.
+        local good, what = pcall(function()
+            for k = 0, tonumber(n) - 1 do sizes[k] = find(xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2]) end
+        end)
+        if not good then failed, problem = true, what end
+        return good and 0 or 1
+    end)
+    C.mgdt_mesh_set_size_function(handle, callback, nil)
+    local good, value = pcall(body)
+    C.mgdt_mesh_set_size_function(handle, nil, nil)
+    callback:free()
+    if failed then error(problem, 0) end
+    if not good then error(value, 0) end
+    return value
+end
+jit.off(with_sizes, true)
+
 -- Changes a mesh by a function of the library, and reads the new arrays, also if the call fails.
 local function change(self, progress, call)
     local value = of_mesh.watch(self.handle, progress, function(of) return call(of) end)
@@ -103,13 +126,21 @@ local refinement = { most_points = whole, sizes_of_surface = switch, size = doub
     radius_edge = double, volume = double }
 local sizes_of = { point_sizes = "of_points", tetrahedron_sizes = "of_tetrahedra", region_sizes = "of_regions" }
 
+local function numbers(list, name)
+    if type(list) ~= "table" then bad_argument("%s must be a list of numbers", name) end
+    local to = ffi.new("double[?]", #list)
+    for k, value in ipairs(list) do to[k - 1] = double(value, name) end
+    return to, #list
+end
+
 --- Inserts points until the tetrahedra have the wanted sizes and shapes; then the mesh has the new arrays. Optional, in
 --- a table: size (of edges everywhere), point_sizes, tetrahedron_sizes and region_sizes (a list with a size for each, 0
---- for none), sizes_of_surface (whether edges of the surface say how long those at their ends should be), gradation (0.3),
+--- for none), size_field (a list of points and a list of sizes, linear between the points), size_function (of x, y and z,
+--- which gives a size, 0 for none), sizes_of_surface (whether edges of the surface say how long those at their ends should be), gradation (0.3),
 --- radius_edge (1.4, or 0), volume (0), most_points (0 for no limit), and progress, a function. Numbers that are not given stay
 --- as the last call has set them. `inserted_points` and `refused` count; `refusals` and `sizes` say more. Since 1.4.
 function Mesh:refine(given)
-    local progress
+    local progress, find
     for name, value in pairs(given or {}) do
         local kind = refinement[name]
         if kind == double then
@@ -117,17 +148,23 @@ function Mesh:refine(given)
         elseif kind then
             of_mesh.set_option(self.handle, name, kind(value, name))
         elseif sizes_of[name] then
-            if type(value) ~= "table" then bad_argument("%s must be a list of numbers", name) end
-            local list = ffi.new("double[?]", #value)
-            for k, size in ipairs(value) do list[k - 1] = double(size, name) end
-            ensure(self.handle, C.mgdt_mesh_set_sizes(self.handle, constants.sizes[sizes_of[name]], #value, list))
+            local list, count = numbers(value, name)
+            ensure(self.handle, C.mgdt_mesh_set_sizes(self.handle, constants.sizes[sizes_of[name]], count, list))
+        elseif name == "size_field" then
+            if type(value) ~= "table" then bad_argument("size_field must be a list of points and a list of sizes") end
+            local xyz, n = rows_of(value[1], nil, "size_field", 3, "points")
+            local list, count = numbers(value[2], name)
+            if count ~= n then bad_argument("size_field has %d points and %d sizes", n, count) end
+            ensure(self.handle, C.mgdt_mesh_set_size_field(self.handle, n, xyz, list))
+        elseif name == "size_function" then
+            find = value
         elseif name == "progress" then
             progress = value
         else
             bad_argument("there is no setting %s", tostring(name))
         end
     end
-    return change(self, progress, C.mgdt_mesh_refine)
+    return with_sizes(self.handle, find, function() return change(self, progress, C.mgdt_mesh_refine) end)
 end
 jit.off(Mesh.refine, true)
 

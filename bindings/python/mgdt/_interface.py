@@ -17,6 +17,9 @@ FREE = ctypes.CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
 PROGRESS = ctypes.CFUNCTYPE(c_int32, c_double, c_void_p)
 """``mgdt_progress_fn``."""
 
+SIZE = ctypes.CFUNCTYPE(c_int32, c_int64, c_void_p, c_void_p, c_void_p)
+"""``mgdt_size_fn``."""
+
 # The result of each function, and its parameters.
 FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_create": (c_int32, [POINTER(c_void_p)]),
@@ -161,6 +164,9 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_mesh_set_fixed_points": (c_int32, [c_void_p, c_int64, c_void_p]),
     "mgdt_mesh_set_fixed_points_i32": (c_int32, [c_void_p, c_int64, c_void_p]),
     "mgdt_mesh_set_sizes": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_mesh_set_size_field": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
+    "mgdt_mesh_set_size_function": (c_int32, [c_void_p, SIZE, c_void_p]),
+    "mgdt_mesh_get_size_function": (c_int32, [c_void_p, c_void_p, POINTER(c_void_p)]),
     "mgdt_mesh_build": (c_int32, [c_void_p]),
     "mgdt_mesh_refine": (c_int32, [c_void_p]),
     "mgdt_mesh_improve": (c_int32, [c_void_p]),

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import copy
-from ctypes import c_void_p
+from ctypes import c_double, c_void_p
 from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
@@ -14,7 +14,7 @@ from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
 from ._gate import Gate, interruptibly
 from ._insertion import SHORT
-from ._interface import CONSTANTS
+from ._interface import CONSTANTS, SIZE
 from ._keyed import Keyed
 from .export import to_meshio, to_pyvista
 
@@ -51,6 +51,35 @@ def sizes_of(values: Optional[ArrayLike], n: int, name: str) -> FloatArray:
     if array.shape != (n,):
         raise ValueError(f"sizes {name} must have the shape ({n},), not {array.shape}")
     return array
+
+
+NO_SIZES = SIZE(0)
+
+
+class SizeFunction:
+    """What the library calls for sizes, and what the caller's function raises."""
+
+    def __init__(self, function: Callable[[FloatArray], ArrayLike]) -> None:
+        self._function = function
+        self._raised: Optional[BaseException] = None
+        self.callback = SIZE(self._answer)
+
+    def _answer(self, n: int, xyz: int, sizes: int, _: Any) -> int:
+        """Writes the sizes; 1 stops the call, through which nothing may be raised."""
+        try:
+            places = np.ctypeslib.as_array((c_double * (3 * n)).from_address(xyz)).reshape(n, 3)
+            found = np.asarray(self._function(places.copy()), float)
+            if found.shape != (n,):
+                raise ValueError(f"size_function must give the shape ({n},), not {found.shape}")
+            np.ctypeslib.as_array((c_double * n).from_address(sizes))[:] = found
+        except BaseException as error:  # pylint: disable=broad-except
+            self._raised = error
+            return 1
+        return 0
+
+    def raise_again(self) -> None:
+        if self._raised is not None:
+            raise self._raised from None
 
 
 def finite_places(places: ArrayLike) -> tuple[FloatArray, tuple[int, ...], NDArray[np.bool_]]:
@@ -291,6 +320,8 @@ class Mesh:
         point_sizes: Optional[ArrayLike] = None,
         simplex_sizes: Optional[ArrayLike] = None,
         region_sizes: Optional[ArrayLike] = None,
+        size_field: Optional[tuple[ArrayLike, ArrayLike]] = None,
+        size_function: Optional[Callable[[FloatArray], ArrayLike]] = None,
         sizes_of_surface: bool = False,
         gradation: float = 0.3,
         radius_edge: float = 1.4,
@@ -313,6 +344,9 @@ class Mesh:
         point_sizes : that at each point, 0 for any
         simplex_sizes : that in each tetrahedron, such as an estimate of an error wants it; 0 for any
         region_sizes : that in each region, in the order of `region_markers`; 0 for any
+        size_field : points in space and the sizes there, which are linear between them
+        size_function : called as ``size_function(places)`` with an array of the shape (n, 3); it gives the
+            n sizes there, 0 for any
         sizes_of_surface : whether edges at a point are to be as long as those of the surface there
         gradation : how fast sizes may grow with the distance
         radius_edge : the most that the radius of a circumsphere should be, in shortest edges of its
@@ -328,6 +362,8 @@ class Mesh:
         >>> mesh = mgdt.Mesh(points, [[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]])
         >>> mesh.refine(0.5).inserted > 0
         True
+        >>> mesh.refine(size_function=lambda places: 0.2 + 0.2 * places[:, 2]).inserted > 0
+        True
         """
         mesh = self._mesh
         lists = {
@@ -337,7 +373,13 @@ class Mesh:
         }
         sizes = {name: sizes_of(values, n, name) for name, (values, n) in lists.items()}
 
+        field_points = as_points(size_field[0]) if size_field is not None else np.empty((0, 3))
+        field_sizes = sizes_of(size_field[1] if size_field is not None else None, len(field_points), "size_field")
+        asked = SizeFunction(size_function) if size_function is not None else None
+
         def change() -> None:
+            mesh.call("set_size_field", len(field_points), address(field_points), address(field_sizes))
+            mesh.call("set_size_function", asked.callback if asked else NO_SIZES, None)
             mesh.set_double_option("size", size)
             mesh.set_double_option("gradation", gradation)
             mesh.set_double_option("radius_edge", radius_edge)
@@ -348,13 +390,22 @@ class Mesh:
                 mesh.call("set_sizes", CONSTANTS["sizes"][name], len(values), address(values))
 
         # How long it takes is not known before.
-        build(mesh, self._gate, progress, SHORT, change, "refine")
+        try:
+            build(mesh, self._gate, progress, SHORT, change, "refine")
+        except BaseException:
+            if asked is not None:
+                asked.raise_again()
+            raise
+        finally:
+            mesh.quiet("set_size_function", NO_SIZES, None)
         self._read()
         arguments = {
             "size": size,
             "point_sizes": point_sizes,
             "simplex_sizes": simplex_sizes,
             "region_sizes": region_sizes,
+            "size_field": size_field,
+            "size_function": size_function,
             "sizes_of_surface": sizes_of_surface,
             "gradation": gradation,
             "radius_edge": radius_edge,

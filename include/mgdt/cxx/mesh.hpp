@@ -6,6 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +46,44 @@ struct MeshCalls {
     static constexpr auto get_doubles = mgdt_mesh_get_doubles;
 };
 
+// The size function.
+class SizeFunction {
+  public:
+    SizeFunction() = default;
+    SizeFunction(const SizeFunction&) = delete;
+    SizeFunction& operator=(const SizeFunction&) = delete;
+    virtual ~SizeFunction() = default;
+
+    // An mgdt_size_fn whose `user` is a SizeFunction.
+    static std::int32_t answer(std::int64_t n, const double* xyz, double* sizes,
+                               void* user) noexcept {
+        SizeFunction& self = *static_cast<SizeFunction*>(user);
+        return self.guarded_.run(1, [&] {
+            self.find(n, xyz, sizes);
+            return 0;
+        });
+    }
+    void rethrow() { guarded_.rethrow(); }
+
+  private:
+    virtual void find(std::int64_t n, const double* xyz, double* sizes) = 0;
+
+    Guarded guarded_{};
+};
+template <class F>
+class SizeCallback final : public SizeFunction {
+  public:
+    explicit SizeCallback(F call) : call_(std::move(call)) {}
+
+  private:
+    void find(std::int64_t n, const double* xyz, double* sizes) override {
+        for (std::int64_t i = 0; i < n; ++i, xyz += 3)
+            sizes[i] = std::invoke(call_, Point{xyz[0], xyz[1], xyz[2]});
+    }
+
+    F call_;
+};
+
 }  // namespace detail
 
 /** The shapes of all tetrahedra of a mesh; mgdt_mesh_get_shape_summary(). @since 1.4 */
@@ -73,7 +114,19 @@ class Mesh : public detail::Results<detail::MeshCalls> {
     }
     /** Takes ownership of a handle of the C interface. */
     explicit Mesh(mgdt_mesh* owned) noexcept : Results(owned) {}
-    friend void swap(Mesh& a, Mesh& b) noexcept { a.swap_with(b); }
+    friend void swap(Mesh& a, Mesh& b) noexcept {
+        a.swap_with(b);
+        a.size_function_.swap(b.size_function_);
+    }
+    /** Releases ownership of the handle, which the caller frees by mgdt_mesh_destroy().
+     *  Callbacks of set_progress() and set_size_function() are removed. Returns NULL and releases
+     *  nothing in a callback of the object. */
+    [[nodiscard]] mgdt_mesh* release() noexcept {
+        if (size_function_ && mgdt_mesh_set_size_function(get(), nullptr, nullptr) != MGDT_OK)
+            return nullptr;
+        size_function_.reset();
+        return Results::release();
+    }
 
     /** mgdt_mesh_set_points(). @throw OutOfMemory, Error @since 1.4 */
     void set_points(Points points) {
@@ -118,12 +171,43 @@ class Mesh : public detail::Results<detail::MeshCalls> {
                                     static_cast<std::int64_t>(sizes.size()), sizes.data()));
     }
 
+    /** Sizes of edges at points, linear between them; mgdt_mesh_set_size_field(). None remove those
+     *  that were set.
+     *  @param sizes  one for each point
+     *  @throw OutOfMemory, Error @since 1.4 */
+    void set_size_field(Points points, Span<const double> sizes) {
+        detail::require_size(sizes.size() == points.count(), "there is not one size for each");
+        require(mgdt_mesh_set_size_field(get(), static_cast<std::int64_t>(points.count()),
+                                         points.data(), sizes.data()));
+    }
+    /** Sets the function that gives sizes of edges; mgdt_mesh_set_size_function().
+     *  @param call  a callable that takes a Point and returns the size there, 0 for none.
+     *  The object keeps it. If it throws, refine() throws that exception.
+     *  @throw Error, std::bad_alloc @since 1.4 */
+    template <class F,
+              class = std::enable_if_t<std::is_invocable_r_v<double, std::decay_t<F>&, Point>>>
+    void set_size_function(F&& call) {
+        auto next = std::make_unique<detail::SizeCallback<std::decay_t<F>>>(std::forward<F>(call));
+        require(mgdt_mesh_set_size_function(get(), &detail::SizeFunction::answer,
+                                            static_cast<detail::SizeFunction*>(next.get())));
+        size_function_ = std::move(next);
+    }
+    /** Removes the size function. @throw Error @since 1.4 */
+    void clear_size_function() {
+        require(mgdt_mesh_set_size_function(get(), nullptr, nullptr));
+        size_function_.reset();
+    }
+
     /** mgdt_mesh_build(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws @since 1.4 */
     void build() { require(mgdt_mesh_build(get())); }
     /** mgdt_mesh_refine(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
-     *  throws @since 1.4 */
-    void refine() { require(mgdt_mesh_refine(get())); }
+     *  and the size function throw @since 1.4 */
+    void refine() {
+        const mgdt_status status = mgdt_mesh_refine(get());
+        if (size_function_) size_function_->rethrow();
+        require(status);
+    }
     /** mgdt_mesh_improve(). @throw Cancelled, OutOfMemory, Error, and what the progress callback
      *  throws @since 1.4 */
     void improve() { require(mgdt_mesh_improve(get())); }
@@ -215,6 +299,8 @@ class Mesh : public detail::Results<detail::MeshCalls> {
         require(set(get(), static_cast<std::int64_t>(n), corners.data(),
                     markers.size() > 0 ? markers.data() : nullptr));
     }
+
+    std::unique_ptr<detail::SizeFunction> size_function_{};
 };
 
 }  // namespace cxx1

@@ -43,6 +43,7 @@ module Mgdt
     @ffi_libs = [library]
 
     callback :progress, %i[double pointer], :int32
+    callback :size, %i[int64 pointer pointer pointer], :int32
 
     # What can take long runs without Ruby's lock, so that other threads go on.
     INTERFACE.each do |name, parameters, result, is_long|

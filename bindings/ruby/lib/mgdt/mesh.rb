@@ -124,11 +124,12 @@ module Mgdt
     end
 
     # Inserts points until the tetrahedra have the wanted sizes and shapes. size is that of edges everywhere;
-    # point_sizes, tetrahedron_sizes and region_sizes have one for each, 0 for none; sizes_of_surface says whether edges
+    # point_sizes, tetrahedron_sizes and region_sizes have one for each, 0 for none; size_field is an Array of points and
+    # one of sizes, linear between the points; size_function is called with x, y and z and gives a size; sizes_of_surface says whether edges
     # of the surface tell how long those at their ends should be. Numbers that are not given stay as the last call has set
     # them. A block hears of progress.
-    def refine(size: nil, point_sizes: nil, tetrahedron_sizes: nil, region_sizes: nil, sizes_of_surface: nil,
-               gradation: nil, radius_edge: nil, volume: nil, most_points: nil, &progress)
+    def refine(size: nil, point_sizes: nil, tetrahedron_sizes: nil, region_sizes: nil, size_field: nil,
+               size_function: nil, sizes_of_surface: nil, gradation: nil, radius_edge: nil, volume: nil, most_points: nil, &progress)
       { size: size, gradation: gradation, radius_edge: radius_edge, volume: volume }.each do |name, value|
         @mesh.set_double_option(name, Float(value)) unless value.nil?
       end
@@ -136,12 +137,12 @@ module Mgdt
       @mesh.set_option(:sizes_of_surface, sizes_of_surface ? 1 : 0) unless sizes_of_surface.nil?
       { of_points: point_sizes, of_tetrahedra: tetrahedron_sizes, of_regions: region_sizes }.each do |name, sizes|
         next if sizes.nil?
-        raise argument("sizes must be an Array of numbers") unless sizes.is_a?(Array) && sizes.all?(Numeric)
 
-        @mesh.call(:set_sizes, CONSTANTS[:sizes].fetch(name), sizes.size, sizes.pack("d*"))
+        @mesh.call(:set_sizes, CONSTANTS[:sizes].fetch(name), sizes.size, numbers(sizes))
       end
+      give_field(*size_field) unless size_field.nil?
       begin
-        status = watched(progress, :refine)
+        status = with_sizes(size_function) { watched(progress, :refine) }
       ensure
         read
       end
@@ -242,6 +243,53 @@ module Mgdt
       return @mesh.ask(function) unless progress
 
       Progress.watch(progress, ->(fn) { @mesh.ask(:set_progress, fn, nil) }) { @mesh.ask(function) }
+    end
+
+    def numbers(sizes)
+      raise argument("sizes must be an Array of numbers") unless sizes.is_a?(Array) && sizes.all?(Numeric)
+
+      sizes.pack("d*")
+    end
+
+    def give_field(points, sizes)
+      places = Points.new(points, name: "a point of the field")
+      values = numbers(sizes)
+      raise argument("#{places.count} points have #{sizes.size} sizes") unless places.count == sizes.size
+
+      @mesh.call(:set_size_field, places.count, places.data, values)
+    end
+
+    # Runs the block while the library asks a callable of x, y and z for sizes. What it raises is raised
+    # afterwards.
+    def with_sizes(size_function)
+      return yield if size_function.nil?
+
+      problem = nil
+      callback = FFI::Function.new(:int32, %i[int64 pointer pointer pointer]) do |n, xyz, sizes, _|
+        answer(n, xyz, sizes, size_function) { |raised| problem = raised }
+      end
+      @mesh.call(:set_size_function, callback, nil)
+      begin
+        status = yield
+      ensure
+        @mesh.call(:set_size_function, nil, nil)
+        callback.free
+      end
+      raise problem if problem
+
+      status
+    end
+
+    # What is returned to the library: 1 to stop. Nothing may leave through its frames.
+    def answer(count, xyz, sizes, size_function)
+      stop = 1
+      places = xyz.read_array_of_double(3 * count).each_slice(3)
+      sizes.write_array_of_double(places.map { |x, y, z| Float(size_function.call(x, y, z)) })
+      stop = 0
+    rescue Exception => e # rubocop:disable Lint/RescueException
+      yield e
+    ensure
+      return stop # rubocop:disable Lint/EnsureReturn
     end
 
     def take(handle, index_base)

@@ -323,6 +323,8 @@ pub type mgdt_alloc_fn =
 pub type mgdt_free_fn =
     Option<unsafe extern "C" fn(p: *mut c_void, size: usize, align: usize, user: *mut c_void)>;
 pub type mgdt_progress_fn = Option<unsafe extern "C" fn(fraction: f64, user: *mut c_void) -> i32>;
+pub type mgdt_size_fn =
+    Option<unsafe extern "C" fn(n: i64, xyz: *const f64, sizes: *mut f64, user: *mut c_void) -> i32>;
 
 extern "C" {
     pub fn mgdt_create(out: *mut *mut mgdt_triangulation) -> mgdt_status;
@@ -798,6 +800,22 @@ extern "C" {
         of: i32,
         n: i64,
         sizes: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_size_field(
+        m: *mut mgdt_mesh,
+        n: i64,
+        xyz: *const f64,
+        sizes: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_set_size_function(
+        m: *mut mgdt_mesh,
+        callback: mgdt_size_fn,
+        user: *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_mesh_get_size_function(
+        m: *const mgdt_mesh,
+        callback: *mut mgdt_size_fn,
+        user: *mut *mut c_void,
     ) -> mgdt_status;
     pub fn mgdt_mesh_build(m: *mut mgdt_mesh) -> mgdt_status;
     pub fn mgdt_mesh_refine(m: *mut mgdt_mesh) -> mgdt_status;

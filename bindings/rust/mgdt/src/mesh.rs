@@ -6,9 +6,13 @@ use crate::domain::ensure_markers;
 use crate::triangulation::{as_i64, status_text, watched};
 use crate::{Error, ErrorKind, TetrahedronMeasure};
 use mgdt_sys as sys;
+use std::any::Any;
+use std::ffi::c_void;
 use std::fmt;
 use std::ops::ControlFlow;
+use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 use std::ptr;
+use std::slice;
 
 /// Arrays of integers of a [`Mesh`]. In them "none" is [`NONE`](crate::NONE).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -366,6 +370,22 @@ impl Mesh {
         })
     }
 
+    /// Sets sizes of edges at points in space, which need not be points of the mesh: linear between
+    /// them. Without points there are no such sizes. Since 1.4.
+    pub fn set_size_field(&mut self, points: &[[f64; 3]], sizes: &[f64]) -> Result<(), Error> {
+        if sizes.len() != points.len() {
+            return Err(Error::new(ErrorKind::InvalidArgument, "there is not one size for each point"));
+        }
+        self.ensure(unsafe {
+            sys::mgdt_mesh_set_size_field(
+                self.raw(),
+                as_i64(points.len()),
+                points.as_ptr().cast(),
+                sizes.as_ptr(),
+            )
+        })
+    }
+
     /// Sets the points. Tetrahedra, faces, edges and fixed points that were set before are removed. Since 1.4.
     pub fn set_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         self.ensure(unsafe {
@@ -438,6 +458,39 @@ impl Mesh {
         F: FnMut(f64) -> ControlFlow<()>,
     {
         self.change_with_progress(progress, sys::mgdt_mesh_refine)
+    }
+
+    /// The same with a closure that gives the size of edges at a place, 0 for none. A panic of it goes
+    /// on here. Since 1.4.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), mgdt::Error> {
+    /// let mut m = mgdt::Mesh::new()?;
+    /// m.set_points(&[[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.], [1., 1., 1.]])?;
+    /// m.set_tetrahedra(&[[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]], None)?;
+    /// m.build()?;
+    /// m.refine_with_size_function(|place| 0.2 + 0.2 * place[2])?;
+    /// assert!(m.statistic(mgdt::MeshStatistic::Tetrahedra) > 4);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn refine_with_size_function<F>(&mut self, size: F) -> Result<(), Error>
+    where
+        F: FnMut(&[f64; 3]) -> f64,
+    {
+        let mut sizes = Sizes { size, panic: None };
+        let user: *mut Sizes<F> = &mut sizes;
+        let m = self.raw();
+        let status = unsafe {
+            sys::mgdt_mesh_set_size_function(m, Some(find_sizes::<F>), user.cast());
+            let status = sys::mgdt_mesh_refine(m);
+            sys::mgdt_mesh_set_size_function(m, None, ptr::null_mut());
+            status
+        };
+        if let Some(panic) = sizes.panic.take() {
+            resume_unwind(panic);
+        }
+        self.ensure(status)
     }
 
     /// Improves the tetrahedra until all dihedral angles reach the goal, or nothing helps. Since 1.4.
@@ -596,5 +649,33 @@ impl Mesh {
             )
         })?;
         Ok(values)
+    }
+}
+
+struct Sizes<F> {
+    size: F,
+    panic: Option<Box<dyn Any + Send>>,
+}
+
+/// What the library calls. A panic must not pass through it.
+unsafe extern "C" fn find_sizes<F>(n: i64, xyz: *const f64, sizes: *mut f64, user: *mut c_void) -> i32
+where
+    F: FnMut(&[f64; 3]) -> f64,
+{
+    let given = &mut *user.cast::<Sizes<F>>();
+    let count = usize::try_from(n).unwrap_or(0);
+    let places = slice::from_raw_parts(xyz.cast::<[f64; 3]>(), count);
+    let to = slice::from_raw_parts_mut(sizes, count);
+    let call = AssertUnwindSafe(|| {
+        for (place, size) in places.iter().zip(to) {
+            *size = (given.size)(place);
+        }
+    });
+    match catch_unwind(call) {
+        Ok(()) => 0,
+        Err(panic) => {
+            given.panic = Some(panic);
+            1
+        }
     }
 }

@@ -327,13 +327,10 @@ fn a_refinement() {
     let mut of_tetrahedra = vec![0.0; 384];
     of_tetrahedra[383] = 0.25;
     m.set_sizes(mgdt::SizesOf::Tetrahedra, &of_tetrahedra).unwrap();
-    let mut heard = 0;
-    m.refine_with_progress(|_| {
-        heard += 1;
-        ControlFlow::Continue(())
-    })
-    .unwrap();
-    assert!(heard > 0);
+    let field = [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [0., 0., 8.]];
+    m.set_size_field(&field, &[0.5, 0.75, 0.75, 1.0]).unwrap();
+    assert!(m.set_size_field(&field, &[0.5]).is_err());
+    m.refine_with_size_function(|place| 0.375 + 0.125 * place[2]).unwrap();
     m.check().unwrap();
     assert_eq!(plain(m.tetrahedra().unwrap()), rows::<4>("refined_tetrahedra"));
     assert_eq!(m.points().unwrap(), places("refined_points"));
@@ -347,7 +344,14 @@ fn a_refinement() {
     let stopped = m.refine_with_progress(|_| ControlFlow::Break(())).unwrap_err();
     assert_eq!(stopped.kind(), mgdt::ErrorKind::Cancelled);
     assert_eq!(m.points().unwrap(), places("refined_points"));
-    m.refine().unwrap();
+    assert!(m.refine_with_size_function(|_| -1.0).is_err());
+    let mut heard = 0;
+    m.refine_with_progress(|_| {
+        heard += 1;
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(heard > 0);
     m.check().unwrap();
     assert!(m.set_size(-1.0).is_err());
     assert!(m.set_sizes(mgdt::SizesOf::Regions, &[1.0]).is_err());
