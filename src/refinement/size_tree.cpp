@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_size = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -150,7 +150,7 @@ bool SizeTree::limit(Cell& cell, double gradation) noexcept {
     const double edge = length(cell);
     const double change[4] = {0, gradation * edge, gradation * edge * std::sqrt(2.0),
                               gradation * edge * std::sqrt(3.0)};
-    double least = infinity, most = 0;
+    double least = no_size, most = 0;
     for (const std::uint32_t i : cell.corners) {
         least = std::min(least, corners_[i].size);
         most = std::max(most, corners_[i].size);
@@ -252,7 +252,7 @@ std::uint32_t SizeTree::leaf_at(const double* x) const noexcept {
 
 double SizeTree::at(const double* x) const noexcept {
     const std::uint32_t leaf = leaf_at(x);
-    if (leaf == no_index) return infinity;
+    if (leaf == no_index) return no_size;
     const Cell& cell = cells_[leaf];
     double part[3];
     for (int k = 0; k < 3; ++k) {
@@ -266,7 +266,7 @@ double SizeTree::at(const double* x) const noexcept {
                  high = along(part[1], along(part[0], size(4), size(5)),
                               along(part[0], size(6), size(7)));
     const double result = along(part[2], low, high);
-    return result < 0.5 * far_ ? result : infinity;
+    return result < 0.5 * far_ ? result : no_size;
 }
 
 double SizeTree::wanted_points() const noexcept {
