@@ -302,8 +302,8 @@ module mgdt_constants
     ! should be below g, and no sine of an obtuse one below sin(g) / 0.7, so that the largest angle
     ! is 142.9 degrees for g = 25. Most meshes reach 25 soon and 30 later; few reach 35. Since 1.4.
     integer, parameter :: mgdt_mesh_option_goal = 40
-    ! What mgdt_mesh_improve() may do to faces and edges that the mesh lists: an MGDT_BOUNDARY_
-    ! value, at first MGDT_BOUNDARY_FIXED. Since 1.4.
+    ! What mgdt_mesh_improve() and mgdt_mesh_refine() may do to faces and edges that the mesh lists:
+    ! an MGDT_BOUNDARY_ value, at first MGDT_BOUNDARY_FIXED. Since 1.4.
     integer, parameter :: mgdt_mesh_option_boundary = 41
     ! What mgdt_mesh_improve() may do to the points that were set: an MGDT_POINTS_ value, at first
     ! MGDT_POINTS_KEEP for a mesh of a domain, and MGDT_POINTS_MOVE for one of the caller's
@@ -346,8 +346,11 @@ module mgdt_constants
     integer, parameter :: mgdt_boundary_fixed = 0
     ! The surface stays, but its points move: within the facet that they are inside of, or along a
     ! straight line of edges, but for rounding; and other faces may divide the facet. If a facet
-    ! whose faces are not quite in one plane would run into another part of the surface so, the call
-    ! is as with MGDT_BOUNDARY_FIXED.
+    ! whose faces are not quite in one plane would run into another part of the surface so, the
+    ! improvement is as with MGDT_BOUNDARY_FIXED. A refinement inserts points inside of facets and
+    ! in the middle of edges, without moving any. These are exact if the corners of the facet are
+    ! multiples of 2^-36 of the largest coordinate, as coordinates of at most 11 digits that are
+    ! whole numbers of some unit are; others are rounded.
     integer, parameter :: mgdt_boundary_slide = 1
 
     ! Values of MGUPNT.

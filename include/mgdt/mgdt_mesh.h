@@ -67,8 +67,8 @@ enum {
      *  angle is 142.9 degrees for g = 25. Most meshes reach 25 soon and 30 later; few reach 35.
      *  Since 1.4. */
     MGDT_MESH_OPTION_GOAL = 40,
-    /** What mgdt_mesh_improve() may do to faces and edges that the mesh lists: an MGDT_BOUNDARY_
-     *  value, at first MGDT_BOUNDARY_FIXED. Since 1.4. */
+    /** What mgdt_mesh_improve() and mgdt_mesh_refine() may do to faces and edges that the mesh
+     *  lists: an MGDT_BOUNDARY_ value, at first MGDT_BOUNDARY_FIXED. Since 1.4. */
     MGDT_MESH_OPTION_BOUNDARY = 41,
     /** What mgdt_mesh_improve() may do to the points that were set: an MGDT_POINTS_ value, at first
      *  MGDT_POINTS_KEEP for a mesh of a domain, and MGDT_POINTS_MOVE for one of the caller's
@@ -116,7 +116,10 @@ enum {
     /** The surface stays, but its points move: within the facet that they are inside of, or along a
      *  straight line of edges, but for rounding; and other faces may divide the facet. If a facet
      *  whose faces are not quite in one plane would run into another part of the surface so, the
-     *  call is as with MGDT_BOUNDARY_FIXED. */
+     *  improvement is as with MGDT_BOUNDARY_FIXED. A refinement inserts points inside of facets and
+     *  in the middle of edges, without moving any. These are exact if the corners of the facet are
+     *  multiples of 2^-36 of the largest coordinate, as coordinates of at most 11 digits that are
+     *  whole numbers of some unit are; others are rounded. */
     MGDT_BOUNDARY_SLIDE = 1
 };
 
@@ -480,14 +483,17 @@ MGDT_API mgdt_status mgdt_mesh_build(mgdt_mesh* m);
  *  how fast sizes grow. A tetrahedron sets the size of its corners. Sizes at points of the mesh are
  *  interpolated for new points.
  *
- *  The boundary stays: faces and edges that the mesh lists, regions and markers. New points are
- *  inside of the domain. They are Steiner points, which come after the others. All tetrahedra
- *  have a positive volume, exactly. Where edges of facets are longer or shorter than the sizes
- *  want, or angles between facets are small, tetrahedra stay beyond the bounds:
+ *  Facets, segments, regions and markers stay. With MGDT_BOUNDARY_FIXED the faces and edges that
+ *  the mesh lists stay, too, and new points are inside of the domain. With MGDT_BOUNDARY_SLIDE,
+ *  faces and edges are divided where they are too large for the sizes, or in the way of a better
+ *  shape. New points are Steiner points, which come after the others. All tetrahedra have a
+ *  positive volume, exactly. Where edges of facets are longer or shorter than the sizes want, and
+ *  stay, or angles between facets are small, tetrahedra stay beyond the bounds:
  *  MGDT_MESH_STAT_REFUSED counts them, and MGDT_MESH_ARRAY_REFUSALS says why. The call always
- *  ends: new points keep a distance from others, and near facets each one lessens the number of
- *  tetrahedra beyond the bounds (docs/theory.md, "Refining meshes"). mgdt_mesh_improve() is the
- *  next step, which removes flat tetrahedra; it moves and removes points of the refinement.
+ *  ends: new points keep a distance from others, and near facets each one inside lessens the
+ *  number of tetrahedra beyond the bounds (docs/theory.md, "Refining meshes"). The next step is
+ *  mgdt_mesh_improve(), which removes flat tetrahedra; it moves and removes points of the
+ *  refinement.
  *  docs/refinement.md has examples.
  *
  *  The result does not depend on the number of threads. A call that fails or is cancelled leaves

@@ -140,7 +140,9 @@ void set_size_field(MeshObject& m, std::int64_t n, const double* xyz, const doub
 void refine(MeshObject& m, StageProgress& progress) {
     Team team(thread_count(m.settings()));
     MeshState& state = m.value;
-    refine_mesh(state, m.settings(), state.wishes, team, m.allocator(), progress, state.refinement);
+    RefinementOptions options = m.settings();
+    options.divides_walls = m.settings().slides;
+    refine_mesh(state, options, state.wishes, team, m.allocator(), progress, state.refinement);
     state.forget_places();
     state.wishes.of_points.reset();
     state.wishes.of_tetrahedra.reset();

@@ -124,7 +124,7 @@ void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaul
         ->capture_default_str();
     app.add_option("--boundary", options.boundary,
                    "fixed: the surface keeps its triangles; slide: its points move within plane "
-                   "facets and along straight edges")
+                   "facets and along straight edges, and a refinement inserts points there")
         ->check(CLI::IsMember({"fixed", "slide"}))
         ->capture_default_str();
     app.add_option("--keep", options.keep,
@@ -157,13 +157,17 @@ void require_sound(const mgdt::Mesh& mesh, const std::string& name) {
     }
 }
 
+void set_boundary(mgdt::Mesh& mesh, const ImproveOptions& options) {
+    mesh.set_option(MeshOption::boundary, number_of(options.boundary, {"fixed", "slide"}));
+}
+
 std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool quiet,
                          const std::string& name) {
     check_interrupt();
     Progress progress("improving", quiet);
     try {
         mesh.set_option(MeshOption::goal, options.goal);
-        mesh.set_option(MeshOption::boundary, number_of(options.boundary, {"fixed", "slide"}));
+        set_boundary(mesh, options);
         mesh.set_option(MeshOption::points, number_of(options.keep, {"all", "numbers", "none"}));
         mesh.set_option(MeshOption::mean_passes, options.mean_passes);
         mesh.set_option(MeshOption::most_passes, options.most_passes);

@@ -38,6 +38,8 @@ inline constexpr const char* improvement_options[] = {"--goal", "--boundary", "-
 void add_improvement(CLI::App& app, ImproveOptions& options, const ImproveDefaults& defaults);
 // Checks a mesh. A defect is a fault of the library.
 void require_sound(const mgdt::Mesh& mesh, const std::string& name);
+// Lets an improvement, or a refinement, change the boundary, or not.
+void set_boundary(mgdt::Mesh& mesh, const ImproveOptions& options);
 // Improves a mesh. Returns lines that say what has become better.
 std::string improve_mesh(mgdt::Mesh& mesh, const ImproveOptions& options, bool quiet,
                          const std::string& name);

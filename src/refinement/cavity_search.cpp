@@ -57,6 +57,7 @@ CavitySearch::Outcome CavitySearch::walk(const WalledMesh& walled, const NewPoin
     double from[3];
     find_centroid(mesh, point.start, from);
     refusal_ = Refusal::hidden;
+    wall_ = no_index;
     container_ = point.start;
     unsigned entry = 4;
     constexpr int most_steps = 10000;
@@ -80,7 +81,10 @@ CavitySearch::Outcome CavitySearch::walk(const WalledMesh& walled, const NewPoin
             least = passed;
         }
         if (exit == 4) return Outcome::found;
-        if (walled.is_wall(facet_code(container_, exit))) return Outcome::refused;
+        if (walled.is_wall(facet_code(container_, exit))) {
+            wall_ = facet_code(container_, exit);
+            return Outcome::refused;
+        }
         const FacetCode next = t.n[exit];
         container_ = tetrahedron_of(next);
         if (mesh.tetrahedra.sphere(container_).is_closed()) return Outcome::closed;
@@ -221,43 +225,36 @@ bool CavitySearch::keeps_all(const WalledMesh& walled) {
     return true;
 }
 
-// Lowers the size of the point as the vertices around it want, and finds out whether the point is
-// far enough from all of them.
+// Finds the size of the point, and whether the point is far enough from all vertices.
 Refusal CavitySearch::judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept {
-    double nearest2 = 16, size = point.size;
-    for (std::uint32_t i = 0; i < vertices_; ++i) {
-        const VertexId v = workspace.ids.data[i];
-        const Vector<double> d = difference<double>(mesh.walled.point(v), point.x);
-        const double d2 = dot(d, d), there = mesh.sizes[v];
-        nearest2 = std::min(nearest2, d2);
-        if (there < size) size = std::min(size, there + mesh.gradation * std::sqrt(d2));
-    }
-    point.size = size;
-    if (nearest2 < point.least2) return Refusal::near_vertex;
-    if (!mesh.interpolated.empty()) interpolate_size(mesh, point);
-    return Refusal::none;
+    point.find_size(mesh, vertices_, [&](std::uint32_t i) { return workspace.ids.data[i]; });
+    return point.nearest2 < point.least2 ? Refusal::near_vertex : Refusal::none;
 }
 
-// Interpolates between the sizes of vertices, as the gradation allows.
-void CavitySearch::interpolate_size(const RefinedMesh& mesh, NewPoint& point) const noexcept {
-    double weight = 0, sum = 0;
-    double least = 0, most = std::numeric_limits<double>::infinity(), lowest = most, highest = 0;
-    for (std::uint32_t i = 0; i < vertices_; ++i) {
-        const VertexId v = workspace.ids.data[i];
-        const Vector<double> d = difference<double>(mesh.walled.point(v), point.x);
-        const double d2 = dot(d, d), size = mesh.interpolated[v];
-        const double part = 1 / (d2 + 0x1p-200), change = mesh.gradation * std::sqrt(d2);
-        weight += part;
-        sum += part * size;
-        lowest = std::min(lowest, size);
-        highest = std::max(highest, size);
-        least = std::max(least, size - change);
-        most = std::min(most, size + change);
+FacetCode CavitySearch::find_wall(RefinedMesh& mesh, const KernelCalls& kernel,
+                                  const NewPoint& point) {
+    WalledMesh& walled = mesh.walled;
+    if (walk(walled, point) != Outcome::found) return wall_;
+    Workspace& w = workspace;
+    if (!kernel.dig_walled(walled.mesh, w, walled.walls.data(), point.x, point.start))
+        return no_index;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < w.boundary_size; ++i) {
+        const FacetCode outside = w.boundary.data[i];
+        if (!walled.is_wall(outside)) continue;
+        const Corners4 t(walled.mesh.tetrahedra[tetrahedron_of(outside)]);
+        const unsigned char* const f = outer_face[face_of(outside)];
+        const double* const a = walled.point(t.v[f[0]]);
+        const Vector<double> normal = cross(difference<double>(walled.point(t.v[f[1]]), a),
+                                            difference<double>(walled.point(t.v[f[2]]), a));
+        const double height = dot(normal, difference<double>(a, point.x));
+        const double relative = height * height / dot(normal, normal);
+        if (!(relative < least)) continue;
+        least = relative;
+        wall_ = walled.mesh.tetrahedra[tetrahedron_of(outside)].n[face_of(outside)];
     }
-    // Equal sizes stay as they are, whatever rounding does to their mean.
-    const double mean = std::min(std::max(sum / weight, lowest), highest);
-    point.interpolated = std::min(most, std::max(least, mean));
-    point.size = std::min(point.size, point.interpolated);
+    w.restore_cavity(walled.mesh.tetrahedra, w.cavity_size);
+    return wall_;
 }
 
 // Whether the point is near the plane of a wall at which the cavity ends.

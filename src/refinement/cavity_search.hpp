@@ -4,21 +4,9 @@
 
 #include "kernel/kernel.hpp"
 #include "mesh/numbers.hpp"
-#include "refinement/refined_mesh.hpp"
+#include "refinement/new_point.hpp"
 
 namespace mgdt {
-
-// A point that is to be inserted.
-struct NewPoint {
-    double x[3];
-    double size;          // of edges at the point, as the caller wants it
-    double interpolated;  // the part of it that is between those of vertices
-    double least2;        // the square of the least distance from a vertex
-    double from_wall2;    // and of a distance from a wall below which the star has to be a gain
-    TetId start;          // a tetrahedron in conflict with the point
-    bool is_on_lattice;
-    bool is_last;  // whether no other point is tried if this one is refused
-};
 
 // The search of one thread.
 class CavitySearch {
@@ -34,6 +22,9 @@ class CavitySearch {
     // Finds the cavity of a point. The size of the point may become less.
     Outcome find(RefinedMesh& mesh, const KernelCalls& kernel, NewPoint& point);
     Refusal refusal() const noexcept { return refusal_; }
+    // The wall that is between a tetrahedron and a point, or else the one whose plane is next to
+    // the point, of those at the boundary of its cavity; no_index if there is none.
+    FacetCode find_wall(RefinedMesh& mesh, const KernelCalls& kernel, const NewPoint& point);
 
     Workspace workspace;
 
@@ -46,13 +37,13 @@ class CavitySearch {
     bool dig_within_members(const WalledMesh& mesh, TetId first, const double* q);
     bool keeps_all(const WalledMesh& mesh);
     Refusal judge_vertices(const RefinedMesh& mesh, NewPoint& point) const noexcept;
-    void interpolate_size(const RefinedMesh& mesh, NewPoint& point) const noexcept;
     bool is_near_wall(const WalledMesh& mesh, const NewPoint& point) const noexcept;
     bool is_gain(const RefinedMesh& mesh, const NewPoint& point) const noexcept;
 
     Refusal refusal_ = Refusal::none;
     Numbers members_;
     Buffer<std::uint8_t> removed_;      // of members: whether the cavity has shrunk from them
+    FacetCode wall_ = no_index;         // at which the last walk has ended
     TetId container_ = no_tetrahedron;  // the tetrahedron that contains the point
     std::uint32_t vertices_ = 0;        // of the cavity
 };

@@ -112,6 +112,10 @@ void refine_mesh(SolidMesh& mesh, const RefinementOptions& options, const SizeWi
         const CubicLattice lattice = lattice_for(refined_mesh.sizes);
         Refiner refiner(refined_mesh, lattice, default_kernel(), team, allocator);
         if (most_points > 0) refiner.most_points = most_points;
+        if (options.divides_walls) {
+            refined_mesh.find_spacings();
+            refiner.divide_walls();
+        }
         StageProgress inner = progress.within(begun, refined);
         refiner.run(inner);
         // New edges may be shorter than the ways along which sizes were limited.

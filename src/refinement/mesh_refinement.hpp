@@ -19,6 +19,7 @@ struct RefinementOptions {
     double radius_edge = 1.4;  // the most circumradius per shortest edge, or 0 for no bound
     double volume = 0;         // the most volume of a tetrahedron, or 0
     bool sizes_of_surface = false;
+    bool divides_walls = false;    // whether points may be inserted in facets and on segments
     std::int32_t most_points = 0;  // the most that are inserted, or 0
 };
 

@@ -56,7 +56,9 @@ struct RefinedMesh {
         : walled(from, team, allocator),
           sizes(allocator),
           interpolated(allocator),
+          spacings(allocator),
           verdicts(allocator),
+          free_vertices(allocator),
           places(allocator) {}
 
     double mean_size(const VertexId (&v)[4]) const noexcept {
@@ -69,6 +71,18 @@ struct RefinedMesh {
     // By how much a tetrahedron exceeds the bounds, squared.
     double excess(const VertexId (&v)[4]) const noexcept {
         return bounds.excess(element(v), mean_size(v));
+    }
+
+    // Makes arrays as long as the mesh.
+    void resize();
+    // Makes sure that this many slots, and vertices, are free, and that as many slots may become
+    // free.
+    void reserve(std::size_t slots, std::size_t vertices);
+    void find_spacings();
+    void set_sizes(VertexId v, double size, double part, double spacing) noexcept {
+        sizes[v] = size;
+        if (!interpolated.empty()) interpolated[v] = part;
+        if (!spacings.empty()) spacings[v] = spacing;
     }
 
     // Roughly, how many points divide a tetrahedron until its parts have the wanted sizes.
@@ -92,7 +106,11 @@ struct RefinedMesh {
     Buffer<double> sizes;  // of edges, as they are wanted at each vertex
     // Empty, or the part of that which is wanted at vertices only, and interpolated between them.
     Buffer<double> interpolated;
+    // Empty, or the length of the shortest edge at each vertex of the given mesh, which grows from
+    // there by half of the distance. Parts of divided walls are not much shorter.
+    Buffer<double> spacings;
     Buffer<Verdict> verdicts;  // for each slot
+    Buffer<VertexId> free_vertices;
     PlaceSizes places;
     double gradation = 0.3;
     ElementBounds bounds;

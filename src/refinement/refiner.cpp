@@ -29,7 +29,7 @@ void Refiner::judge_all(StageProgress& progress) {
 // do.
 bool Refiner::prepare(std::size_t pass) {
     constexpr std::size_t vertices_per_zone = 20000, least_single = 1000;
-    const std::size_t vertices = mesh_.walled.mesh.vertices.size() - 1 - free_vertices_.size();
+    const std::size_t vertices = mesh_.walled.mesh.vertices.size() - 1 - mesh_.free_vertices.size();
     const std::size_t left = most_points - inserted;
     const std::size_t count =
         is_single_ ? 1 : std::max<std::size_t>(vertices / vertices_per_zone, 1);
@@ -84,15 +84,12 @@ void Refiner::supply(std::size_t most) {
     }
     // Free slots and vertices come first.
     const std::size_t free_slots = std::min(slots, mesh.free_slots.size()),
-                      free_vertices = std::min(vertices, free_vertices_.size());
+                      free_vertices = std::min(vertices, mesh_.free_vertices.size());
     auto next_slot = static_cast<TetId>(mesh.tetrahedra.size());
     auto next_vertex = static_cast<VertexId>(mesh.vertices.size());
     mesh_.walled.add_slots(slots - free_slots);
     mesh_.walled.add_vertices(vertices - free_vertices);
-    constexpr double none = std::numeric_limits<double>::infinity();
-    mesh_.sizes.resize(mesh.vertices.size(), none);
-    if (!mesh_.interpolated.empty()) mesh_.interpolated.resize(mesh.vertices.size(), none);
-    mesh_.verdicts.resize(mesh.tetrahedra.size());
+    mesh_.resize();
     for (TetId t = next_slot; t < mesh.tetrahedra.size(); ++t) mesh.tetrahedra[t].kill();
     slots_.resize(room);
     vertices_.resize(vertices);
@@ -114,11 +111,11 @@ void Refiner::supply(std::size_t most) {
         supply.next_vertex = vertices_.begin() + at_vertex;
         for (std::size_t i = 0; i < part.vertices; ++i) {
             VertexId v = next_vertex;
-            if (free_vertices_.empty()) {
+            if (mesh_.free_vertices.empty()) {
                 ++next_vertex;
             } else {
-                v = free_vertices_.back();
-                free_vertices_.pop_back();
+                v = mesh_.free_vertices.back();
+                mesh_.free_vertices.pop_back();
             }
             vertices_[at_vertex++] = v;
         }
@@ -159,19 +156,29 @@ void Refiner::take_back() {
         for (const TetId* t = supply.first_slot; t != supply.slots_end; ++t)
             mesh.free_slots.push_back(*t);
         for (const VertexId* v = supply.next_vertex; v != supply.vertices_end; ++v)
-            free_vertices_.push_back(*v);
+            mesh_.free_vertices.push_back(*v);
     }
     // The lowest ones are taken first.
-    std::sort(free_vertices_.begin(), free_vertices_.end(), std::greater<>());
-    std::size_t all = 0;
-    for (const ZoneRefiner& refiner : refiners_) all += refiner.inserted;
+    std::sort(mesh_.free_vertices.begin(), mesh_.free_vertices.end(), std::greater<>());
+    const std::size_t all = count_inserted();
     is_single_ = all == inserted || all - inserted < division_.bad_between / 64;
     inserted = all;
+}
+
+std::size_t Refiner::count_inserted() const noexcept {
+    std::size_t all = walls_ ? walls_->inserted : 0;
+    for (const ZoneRefiner& refiner : refiners_) all += refiner.inserted;
+    return all;
 }
 
 void Refiner::run(StageProgress& progress) {
     constexpr double first = 0.05, share = 0.2;
     progress.enter(0, first);
+    if (walls_) {
+        mesh_.resize();
+        walls_->divide_by_size(most_points - inserted, progress);
+        inserted = count_inserted();
+    }
     judge_all(progress);
     progress.leave_behind(first);
     while (prepare(passes)) {
@@ -180,6 +187,10 @@ void Refiner::run(StageProgress& progress) {
         progress.leave_behind(share);
         take_back();
         ++passes;
+        if (walls_) {
+            walls_->divide_by_shape(calls_, most_points - inserted, progress);
+            inserted = count_inserted();
+        }
     }
 }
 

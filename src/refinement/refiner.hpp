@@ -2,8 +2,11 @@
 // Divides bad tetrahedra until none is left that can be divided.
 #pragma once
 
+#include <optional>
+
 #include "parallel/per_member.hpp"
 #include "parallel/work_queue.hpp"
+#include "refinement/wall_refiner.hpp"
 #include "refinement/zone_division.hpp"
 #include "refinement/zone_refiner.hpp"
 
@@ -15,14 +18,16 @@ class Refiner {
             Allocator& allocator)
         : mesh_(mesh),
           team_(team),
+          calls_(kernel.with_spheres),
           refiners_(team, allocator, &mesh, &lattice, &kernel, &allocator),
           division_(allocator),
           queue_(allocator, team.size()),
           supplies_(allocator),
           slots_(allocator),
-          vertices_(allocator),
-          free_vertices_(allocator) {}
+          vertices_(allocator) {}
 
+    // Lets facets and segments be divided.
+    void divide_walls() { walls_.emplace(mesh_, slots_.allocator()); }
     void run(StageProgress& progress);
 
     std::size_t most_points = static_cast<std::size_t>(-1);  // that are inserted
@@ -34,17 +39,19 @@ class Refiner {
     void supply(std::size_t most);
     void run_zones(StageProgress& progress);
     void take_back();
+    std::size_t count_inserted() const noexcept;
 
     RefinedMesh& mesh_;
     Team& team_;
+    const KernelCalls& calls_;
     PerMember<ZoneRefiner> refiners_;
     ZoneDivision division_;
     WorkQueue queue_;
     Buffer<ZoneSupply> supplies_;  // of each zone
     Buffer<TetId> slots_;
     Buffer<VertexId> vertices_;
-    Buffer<VertexId> free_vertices_;  // vertices that a pass has not used
-    bool is_single_ = false;          // whether the next pass has one zone
+    std::optional<WallRefiner> walls_;
+    bool is_single_ = false;  // whether the next pass has one zone
 };
 
 }  // namespace mgdt

@@ -2,6 +2,7 @@
 #include "refinement/walled_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -19,6 +20,7 @@ WalledMesh::WalledMesh(const LinkedMesh& from, Team& team, Allocator& allocator)
       walls(allocator),
       sides(allocator),
       regions(allocator),
+      edges(allocator),
       loose_edges(allocator) {
     mesh.clear();
     const std::size_t points = from.x.size() / 3;
@@ -51,7 +53,12 @@ WalledMesh::WalledMesh(const LinkedMesh& from, Team& team, Allocator& allocator)
     });
     for (std::uint32_t t = 0; t < count; ++t)
         for (unsigned i = 0; i < 4; ++i)
-            if (from.tetrahedra[t].n[i] == no_index) add_ghost(t, i);
+            if (from.tetrahedra[t].n[i] == no_index) {
+                const auto ghost = static_cast<TetId>(mesh.tetrahedra.size());
+                mesh.tetrahedra.resize_within_capacity(std::size_t{ghost} + 1);
+                make_ghost(ghost, t, i);
+                ++mesh.ghost_count;
+            }
     find_loose_edges(from);
 }
 
@@ -75,9 +82,7 @@ void WalledMesh::add_slots(std::size_t count) {
     mesh.tetrahedra.resize_within_capacity(all);
 }
 
-void WalledMesh::add_ghost(std::uint32_t t, unsigned face) {
-    const auto ghost = static_cast<TetId>(mesh.tetrahedra.size());
-    mesh.tetrahedra.resize_within_capacity(std::size_t{ghost} + 1);
+void WalledMesh::make_ghost(TetId ghost, TetId t, unsigned face) {
     Tetrahedron& behind = mesh.tetrahedra[t];
     const unsigned char* const f = outer_face[face];
     Tetrahedron& made = mesh.tetrahedra[ghost];
@@ -88,13 +93,14 @@ void WalledMesh::add_ghost(std::uint32_t t, unsigned face) {
     behind.n[face] = facet_code(ghost, 3);
     mesh.tetrahedra.sphere(ghost) = rounded(circumsphere(made, mesh.vertices.data()));
     walls[ghost] = 0xF;
-    ++mesh.ghost_count;
 }
 
 void WalledMesh::find_loose_edges(const LinkedMesh& from) {
     bool has_edges = false;
-    from.edges.for_each(
-        [&](std::uint32_t, std::uint32_t, const KeptEdges::Origin&) { has_edges = true; });
+    from.edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin& origin) {
+        edges.add(a + 1, b + 1, origin);
+        has_edges = true;
+    });
     if (!has_edges) return;
     PairTable of_walls(walls.allocator());
     for (TetId t = 0; t < from.tetrahedra.size(); ++t)
@@ -107,6 +113,15 @@ void WalledMesh::find_loose_edges(const LinkedMesh& from) {
     from.edges.for_each([&](std::uint32_t a, std::uint32_t b, const KeptEdges::Origin&) {
         if (of_walls.find(a, b) == no_index) loose_edges.add(a + 1, b + 1);
     });
+}
+
+void WalledMesh::divide_edge(VertexId a, VertexId b, VertexId q) {
+    if (!edges.has(a, b)) return;
+    const KeptEdges::Origin origin = edges.origin(a, b);
+    edges.add(a, q, origin);
+    edges.add(q, b, origin);
+    edges.remove(a, b);
+    has_divided_edges_ = true;
 }
 
 void WalledMesh::write(LinkedMesh& to) const {
@@ -130,6 +145,13 @@ void WalledMesh::write(LinkedMesh& to) const {
     for (VertexId v = 1; v < vertex.size(); ++v)
         if (vertex[v] != no_index)
             std::copy_n(mesh.vertices[v].x, 3, to.x.begin() + 3 * std::size_t{vertex[v]});
+    if (has_divided_edges_) {
+        KeptEdges divided(allocator);
+        edges.for_each([&](VertexId a, VertexId b, const KeptEdges::Origin& origin) {
+            divided.add(vertex[a], vertex[b], origin);
+        });
+        to.edges = std::move(divided);
+    }
     for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
         const std::uint32_t into = number[t];
         if (into == no_index) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "solid/kept_edges.hpp"
 #include "solid/linked_mesh.hpp"
 #include "solid/pair_table.hpp"
 
@@ -33,6 +34,10 @@ class WalledMesh {
     static bool is_used(const Vertex& vertex) noexcept { return vertex.index != no_index; }
     // Makes room for `count` more tetrahedra.
     void add_slots(std::size_t count);
+    // Makes the ghost behind a face of a tetrahedron, in a free slot.
+    void make_ghost(TetId ghost, TetId t, unsigned face);
+    // Divides an edge that the mesh keeps, if it is one.
+    void divide_edge(VertexId a, VertexId b, VertexId q);
 
     Mesh mesh;
 
@@ -42,12 +47,14 @@ class WalledMesh {
     Buffer<LinkedMesh::Side> sides;
     Buffer<std::uint32_t> regions;
 
-    // The edges that the mesh keeps and that no wall has.
+    KeptEdges edges;  // that the mesh keeps
+    // Those of them that no wall has.
     PairTable loose_edges;
 
   private:
-    void add_ghost(std::uint32_t t, unsigned face);
     void find_loose_edges(const LinkedMesh& from);
+
+    bool has_divided_edges_ = false;
 };
 
 }  // namespace mgdt

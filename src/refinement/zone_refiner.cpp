@@ -124,8 +124,7 @@ void ZoneRefiner::insert(const NewPoint& point, ZoneSupply& supply) {
     const VertexId vertex = *supply.next_vertex++;
     ++inserted;
     walled.set_vertex(vertex, point.x);
-    mesh_.sizes[vertex] = point.size;
-    if (!mesh_.interpolated.empty()) mesh_.interpolated[vertex] = point.interpolated;
+    mesh_.set_sizes(vertex, point.size, point.interpolated, point.spacing);
     // Facets of the boundary stay what they are. Slots of the cavity are used again, so this is
     // read first.
     const std::size_t n = w.boundary_size;

@@ -149,6 +149,7 @@ int mesh_surface(const MeshOptions& options) {
         mgdt::Mesh made = build(domain, name, options);
         if (!options.quiet) warn_of_losses(made, name);
         const bool is_refined = options.refinement.is_asked_for();
+        if (is_refined) set_boundary(made, options.improvement);
         if (is_refined) said += refine_mesh(made, options.refinement, options.quiet, name);
         const bool is_improved = options.improve || (is_refined && !options.not_improved);
         if (is_improved) said += improve_mesh(made, options.improvement, options.quiet, name);

@@ -37,6 +37,7 @@ int refine(const RefineCommandOptions& options) {
     return change_tetrahedra(options, [&](mgdt::Mesh& mesh, const std::string& name) {
         if (!options.sizes.empty())
             set_given_sizes(mesh, read_sizes(options.sizes), input_name(options.sizes));
+        set_boundary(mesh, options.improvement);
         std::string said = refine_mesh(mesh, options.refinement, options.quiet, name);
         if (options.improve) said += improve_mesh(mesh, options.improvement, options.quiet, name);
         return said;
@@ -59,7 +60,8 @@ const Command refine_command = {
             "--improve", options->improve,
             "Improve the tetrahedra then: exchange edges and faces, move and insert points");
         add_improvement(app, options->improvement, {"all", "fixed"});
-        for (const char* const name : improvement_options) app.get_option(name)->needs(improve);
+        for (const std::string name : improvement_options)
+            if (name != "--boundary") app.get_option(name)->needs(improve);
         add_tetrahedra_settings(app, *options);
         return [options] { return refine(*options); };
     }};
