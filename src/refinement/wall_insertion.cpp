@@ -50,7 +50,7 @@ bool WallInsertion::is_divided(FacetCode wall) const noexcept {
 bool WallInsertion::divide_facet(const double* q, FacetCode wall, const Segment& divided,
                                  Segment* near) {
     const WalledMesh& walled = mesh_.walled;
-    const std::size_t first = divided_.size();
+    const std::size_t first = divided_.size(), first_rim = rims_.size();
     divided_.push_back(wall);
     for (std::size_t i = first; i < divided_.size(); ++i) {
         const FacetCode code = divided_[i];
@@ -77,19 +77,18 @@ bool WallInsertion::divide_facet(const double* q, FacetCode wall, const Segment&
                 }
             }
             const bool is_hull = edges_.is_hull(code);
-            rims_.push_back({x, y, edges_.side(code),
+            rims_.push_back({x, y, code, edges_.side(code),
                              is_hull ? edges_.side(code) : edges_.side(edges_.behind(code))});
         }
     }
     // An edge between two divided walls may have been listed before the second one was found.
-    std::size_t left = 0;
-    for (const Rim& rim : rims_) {
-        const bool is_inside = std::any_of(rims_.begin(), rims_.end(), [&](const Rim& other) {
-            return other.x == rim.y && other.y == rim.x && other.here == rim.here;
-        });
-        if (!is_inside) rims_[left++] = rim;
-    }
-    rims_.resize(left);
+    const auto is_inside = [&](const Rim& rim) {
+        const FacetCode other = edges_.across(rim.wall, rim.x, rim.y);
+        return other != no_index &&
+               std::find(divided_.begin() + first, divided_.end(), other) != divided_.end();
+    };
+    rims_.resize(static_cast<std::size_t>(
+        std::remove_if(rims_.begin() + first_rim, rims_.end(), is_inside) - rims_.begin()));
     return true;
 }
 

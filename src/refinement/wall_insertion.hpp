@@ -59,6 +59,7 @@ class WallInsertion {
     // `here`.
     struct Rim {
         VertexId x, y;
+        FacetCode wall;
         LinkedMesh::Side here, there;
     };
     struct Facet {

@@ -144,10 +144,9 @@ bool WallRefiner::divide_by_shape(const KernelCalls& kernel, std::size_t most_po
     for (TetId t = 0; t < slots && inserted - before < most_points; ++t) {
         if (t % 256 == 0) progress.stop_request().poll();
         const Tetrahedron& tet = walled.mesh.tetrahedra[t];
+        if (tet.is_dead() || tet.is_ghost()) continue;
         const Refusal refusal = mesh_.verdicts[t].refusal();
-        if ((refusal != Refusal::hidden && refusal != Refusal::near_wall) || tet.is_dead() ||
-            tet.is_ghost())
-            continue;
+        if (refusal != Refusal::hidden && refusal != Refusal::near_wall) continue;
         const VertexId newest = tet.v[0];
         const ElementShape e = mesh_.element(tet.v);
         NewPoint point;
