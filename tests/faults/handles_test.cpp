@@ -216,10 +216,17 @@ Kind mesh() {
          {"refine in space", [m](void* h) { return mgdt_mesh_refine(m(h)); }},
          {"refine",
           [m](void* h) {
-              const double size = 0.5;
+              const double size = 0.8;
               mgdt_status s = mgdt_mesh_set_size_field(m(h), 0, nullptr, nullptr);
-              if (s == MGDT_OK) s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.6);
+              if (s == MGDT_OK) s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_BOUNDARY, 0);
+              if (s == MGDT_OK) s = mgdt_mesh_set_double_option(m(h), MGDT_MESH_OPTION_SIZE, 0.9);
               if (s == MGDT_OK) s = mgdt_mesh_set_sizes(m(h), MGDT_SIZES_OF_REGIONS, 1, &size);
+              if (s == MGDT_OK) s = mgdt_mesh_refine(m(h));
+              return s;
+          }},
+         {"refine the boundary",
+          [m](void* h) {
+              mgdt_status s = mgdt_mesh_set_option(m(h), MGDT_MESH_OPTION_BOUNDARY, 1);
               if (s == MGDT_OK) s = mgdt_mesh_refine(m(h));
               return s;
           }},
