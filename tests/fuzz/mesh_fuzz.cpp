@@ -204,7 +204,8 @@ class Session {
         const Waves& waves = *static_cast<const Waves*>(user);
         for (std::int64_t i = 0; i < n; ++i) {
             const double place = xyz[3 * i] / waves.length;
-            sizes[i] = waves.size * std::fabs(place - std::floor(place));
+            const double wave = std::fabs(place - std::floor(place));
+            sizes[i] = wave >= 0 ? waves.size * wave : 0;  // places may be infinite
         }
         return 0;
     }
@@ -268,7 +269,8 @@ class Session {
                              "a size function");
             status[k++] = mgdt_mesh_refine(*m);
         }
-        FUZZ_REQUIRE(status[0] == MGDT_OK && status[1] == MGDT_OK, "refine");
+        FUZZ_REQUIRE(status[0] == MGDT_OK && status[1] == MGDT_OK,
+                     mgdt_tests::message_of(static_cast<mgdt_mesh*>(one), mgdt_mesh_get_error));
         FUZZ_REQUIRE(one.check(),
                      mgdt_tests::message_of(static_cast<mgdt_mesh*>(one), mgdt_mesh_get_error));
         FUZZ_REQUIRE(one.stat(MGDT_MESH_STAT_INSERTED_POINTS) <= most, "the most points");
