@@ -340,32 +340,18 @@ static void set_size_field(const mxArray* points, const mxArray* sizes) {
 
 /* Asks a function of Octave's for the sizes at places, in a matrix with a row for each. */
 static int32_t find_sizes(int64_t n, const double* xyz, double* sizes, void* user) {
-    progress* const p = user;
-    mxArray* arguments[2];
-    mxArray* answer[2] = {NULL, NULL};
-    mxArray* failure;
-    double* to;
+    mxArray* const places_asked = mxCreateDoubleMatrix((mwSize)n, 3, mxREAL);
+    double* const to = mxGetPr(places_asked);
+    mxArray* answer;
     int64_t i;
     int k;
-    int32_t stop = 1;
-    arguments[0] = p->function;
-    arguments[1] = mxCreateDoubleMatrix((mwSize)n, 3, mxREAL);
-    to = mxGetPr(arguments[1]);
     for (i = 0; i < n; ++i)
         for (k = 0; k < 3; ++k) to[n * k + i] = xyz[3 * i + k];
-    failure = mexCallMATLABWithTrap(2, answer, 2, arguments, "mgdt_sizes");
-    mxDestroyArray(arguments[1]);
-    if (failure) {
-        p->problem = failure;
-    } else if (!mxIsEmpty(answer[1])) {
-        p->problem = answer[1];
-    } else {
-        memcpy(sizes, mxGetPr(answer[0]), (size_t)n * sizeof *sizes);
-        mxDestroyArray(answer[1]);
-        stop = 0;
-    }
-    if (answer[0]) mxDestroyArray(answer[0]);
-    return stop;
+    answer = ask(user, "mgdt_sizes", places_asked);
+    if (!answer) return 1;
+    memcpy(sizes, mxGetPr(answer), (size_t)n * sizeof *sizes);
+    mxDestroyArray(answer);
+    return 0;
 }
 
 /* The refinement of a mesh. After the arguments of make_mesh(): sizes of points, tetrahedra and

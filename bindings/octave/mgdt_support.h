@@ -171,26 +171,32 @@ typedef struct {
     mxArray* problem; /* a struct for rethrow, or NULL */
 } progress;
 
-static int32_t report(double fraction, void* user) {
-    progress* const p = user;
+/* Calls `through`, which calls the function with one argument. Destroys the argument. Returns the
+ * answer, or NULL: an error must not pass through the library, so it is kept, and raised again
+ * afterwards. */
+static mxArray* ask(progress* p, const char* through, mxArray* argument) {
     mxArray* arguments[2];
     mxArray* answer[2] = {NULL, NULL};
-    mxArray* failure;
-    int32_t stop = 1;
     arguments[0] = p->function;
-    arguments[1] = mxCreateDoubleScalar(fraction);
-    /* An error must not pass through the library: it is kept, and raised again afterwards. */
-    failure = mexCallMATLABWithTrap(2, answer, 2, arguments, "mgdt_progress");
-    mxDestroyArray(arguments[1]);
-    if (failure) {
-        p->problem = failure;
-    } else if (!mxIsEmpty(answer[1])) {
-        p->problem = answer[1];
-    } else {
-        stop = mxGetScalar(answer[0]) != 0;
+    arguments[1] = argument;
+    p->problem = mexCallMATLABWithTrap(2, answer, 2, arguments, through);
+    mxDestroyArray(argument);
+    if (!p->problem && mxIsEmpty(answer[1])) {
         mxDestroyArray(answer[1]);
+        return answer[0];
     }
+    if (!p->problem) p->problem = answer[1];
     if (answer[0]) mxDestroyArray(answer[0]);
+    return NULL;
+}
+
+static int32_t report(double fraction, void* user) {
+    mxArray* const answer = ask(user, "mgdt_progress", mxCreateDoubleScalar(fraction));
+    int32_t stop = 1;
+    if (answer) {
+        stop = mxGetScalar(answer) != 0;
+        mxDestroyArray(answer);
+    }
     return stop;
 }
 
