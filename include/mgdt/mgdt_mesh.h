@@ -117,9 +117,9 @@ enum {
      *  straight line of edges, but for rounding; and other faces may divide the facet. If a facet
      *  whose faces are not quite in one plane would run into another part of the surface so, the
      *  improvement is as with MGDT_BOUNDARY_FIXED. A refinement inserts points inside of facets and
-     *  in the middle of edges, without moving any. These are exact if the corners of the facet are
-     *  multiples of 2^-36 of the largest coordinate, as coordinates of at most 11 digits that are
-     *  whole numbers of some unit are; others are rounded. */
+     *  in the middle of edges, without moving any. These are exact if the coordinates
+     *  of the facet's corners are whole numbers of a power of two that is at least 2^-36 of the
+     *  largest coordinate; others are rounded. */
     MGDT_BOUNDARY_SLIDE = 1
 };
 

@@ -91,6 +91,21 @@ void improve(MeshObject& m, StageProgress& progress) {
                  m.value.report);
 }
 
+// A copy of sizes. Refuses those for which is_allowed() is false, and names the first one.
+template <class IsAllowed>
+Buffer<double> copy_of_sizes(MeshObject& m, std::size_t count, const double* sizes,
+                             const IsAllowed& is_allowed) {
+    Buffer<double> copy(m.allocator());
+    copy.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!is_allowed(sizes[i]))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "size %lld is %g",
+                 static_cast<long long>(i) + m.settings().index_base, sizes[i]);
+        copy[i] = sizes[i];
+    }
+    return copy;
+}
+
 void set_sizes(MeshObject& m, std::int32_t of, std::int64_t n, const double* sizes) {
     MeshState& state = m.value;
     const struct {
@@ -108,30 +123,16 @@ void set_sizes(MeshObject& m, std::int32_t of, std::int64_t n, const double* siz
              static_cast<long long>(n), kind.what, static_cast<unsigned long long>(kind.count));
     if (n > 0) require_pointer(sizes, "sizes");
     const auto count = static_cast<std::size_t>(n);
-    Buffer<double> copy(m.allocator());
-    copy.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!(sizes[i] >= 0))
-            fail(MGDT_ERR_INVALID_ARGUMENT, "size %lld is %g",
-                 static_cast<long long>(i) + m.settings().index_base, sizes[i]);
-        copy[i] = sizes[i];
-    }
-    kind.to = std::move(copy);
+    kind.to = copy_of_sizes(m, count, sizes, [](double size) { return size >= 0; });
 }
 
 void set_size_field(MeshObject& m, std::int64_t n, const double* xyz, const double* sizes) {
-    const std::int32_t base = m.settings().index_base;
-    Buffer<double> points = copy_of_points(m.allocator(), n, xyz, base);
+    Buffer<double> points = copy_of_points(m.allocator(), n, xyz, m.settings().index_base);
     const auto count = static_cast<std::size_t>(n);
     if (count > 0) require_pointer(sizes, "sizes");
-    Buffer<double> copy(m.allocator());
-    copy.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!(sizes[i] > 0 && sizes[i] < std::numeric_limits<double>::infinity()))
-            fail(MGDT_ERR_INVALID_ARGUMENT, "size %lld is %g", static_cast<long long>(i) + base,
-                 sizes[i]);
-        copy[i] = sizes[i];
-    }
+    Buffer<double> copy = copy_of_sizes(m, count, sizes, [](double size) {
+        return size > 0 && size < std::numeric_limits<double>::infinity();
+    });
     VaryingSizes& varying = m.value.wishes.varying;
     varying.field_points = std::move(points);
     varying.field_sizes = std::move(copy);

@@ -24,6 +24,28 @@ double volume_of(const double* q, const double* a, const double* b, const double
                           difference<double>(c, q), size);
 }
 
+// The plane of a facet of the cavity's boundary. The distance of a point from it is the root of its
+// squared product over the squared normal.
+class WallPlane {
+  public:
+    WallPlane(const WalledMesh& walled, FacetCode outside) noexcept {
+        const Corners4 t(walled.mesh.tetrahedra[tetrahedron_of(outside)]);
+        const unsigned char* const f = outer_face[face_of(outside)];
+        corner_ = walled.point(t.v[f[0]]);
+        normal_ = cross(difference<double>(walled.point(t.v[f[1]]), corner_),
+                        difference<double>(walled.point(t.v[f[2]]), corner_));
+    }
+    double squared_product(const double* x) const noexcept {
+        const double product = dot(normal_, difference<double>(corner_, x));
+        return product * product;
+    }
+    double squared_normal() const noexcept { return dot(normal_, normal_); }
+
+  private:
+    const double* corner_;
+    Vector<double> normal_;
+};
+
 // Whether the tetrahedron (q, a, b, c) is positive, exactly.
 bool is_positive(const double* q, const double* a, const double* b, const double* c) noexcept {
     double size;
@@ -242,13 +264,8 @@ FacetCode CavitySearch::find_wall(RefinedMesh& mesh, const KernelCalls& kernel,
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const FacetCode outside = w.boundary.data[i];
         if (!walled.is_wall(outside)) continue;
-        const Corners4 t(walled.mesh.tetrahedra[tetrahedron_of(outside)]);
-        const unsigned char* const f = outer_face[face_of(outside)];
-        const double* const a = walled.point(t.v[f[0]]);
-        const Vector<double> normal = cross(difference<double>(walled.point(t.v[f[1]]), a),
-                                            difference<double>(walled.point(t.v[f[2]]), a));
-        const double height = dot(normal, difference<double>(a, point.x));
-        const double relative = height * height / dot(normal, normal);
+        const WallPlane plane(walled, outside);
+        const double relative = plane.squared_product(point.x) / plane.squared_normal();
         if (!(relative < least)) continue;
         least = relative;
         wall_ = walled.mesh.tetrahedra[tetrahedron_of(outside)].n[face_of(outside)];
@@ -259,18 +276,12 @@ FacetCode CavitySearch::find_wall(RefinedMesh& mesh, const KernelCalls& kernel,
 
 // Whether the point is near the plane of a wall at which the cavity ends.
 bool CavitySearch::is_near_wall(const WalledMesh& walled, const NewPoint& point) const noexcept {
-    const Mesh& mesh = walled.mesh;
     return std::any_of(workspace.boundary.data, workspace.boundary.data + workspace.boundary_size,
                        [&](FacetCode outside) {
                            if (!walled.is_wall(outside)) return false;
-                           const Corners4 t(mesh.tetrahedra[tetrahedron_of(outside)]);
-                           const unsigned char* const f = outer_face[face_of(outside)];
-                           const double* const a = mesh.point(t.v[f[0]]);
-                           const Vector<double> normal =
-                               cross(difference<double>(mesh.point(t.v[f[1]]), a),
-                                     difference<double>(mesh.point(t.v[f[2]]), a));
-                           const double height = dot(normal, difference<double>(a, point.x));
-                           return height * height < point.from_wall2 * dot(normal, normal);
+                           const WallPlane plane(walled, outside);
+                           return plane.squared_product(point.x) <
+                                  point.from_wall2 * plane.squared_normal();
                        });
 }
 

@@ -104,10 +104,12 @@ struct RefinedMesh {
 
     WalledMesh walled;
     Buffer<double> sizes;  // of edges, as they are wanted at each vertex
-    // Empty, or the part of that which is wanted at vertices only, and interpolated between them.
+    // Empty, or the sizes that are wanted at given vertices alone: a new vertex gets a size between
+    // those of the vertices around it.
     Buffer<double> interpolated;
     // Empty, or the length of the shortest edge at each vertex of the given mesh, which grows from
-    // there by half of the distance. Parts of divided walls are not much shorter.
+    // there by half of the distance. Edges of divided walls are at least a quarter as long, unless
+    // the sizes want shorter ones.
     Buffer<double> spacings;
     Buffer<Verdict> verdicts;  // for each slot
     Buffer<VertexId> free_vertices;

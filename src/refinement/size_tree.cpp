@@ -219,7 +219,8 @@ void SizeTree::build(const Mesh& mesh, Sample sample, double gradation, Buffer<S
     cells_.back().begin = 0;
     add_cell({0, 0, 0}, root_edge);
     for (unsigned round = 0;; ++round) {
-        constexpr unsigned rounds = 24;  // as many as there are levels, and a few
+        // There are at most 20 levels. Sizes that are lowered may take a few more rounds.
+        constexpr unsigned rounds = 24;
         progress.look(std::min(round, rounds), rounds, 0);
         sample_new(sample, progress);
         limit_all(gradation, progress);

@@ -26,8 +26,8 @@ class SizeTree {
         : cells_(allocator), corners_(allocator), numbers_(allocator), touching_(allocator) {}
 
     // Makes a tree of at most about `most_cells` cells around the tetrahedra of the mesh. Sizes are
-    // lowered until none exceeds another one by more than the gradation times their distance. What
-    // is left of `seeds` afterwards are places where the tree is too coarse.
+    // lowered until none exceeds another one by more than the gradation times their distance.
+    // Removes the seeds whose cells are small enough.
     void build(const Mesh& mesh, Sample sample, double gradation, Buffer<Seed>& seeds,
                std::size_t most_cells, StageProgress& progress);
 

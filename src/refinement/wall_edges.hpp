@@ -32,6 +32,19 @@ struct WallEdges {
             code = tet.n[other];
         }
     }
+    // Calls f(wall) for each side of each wall that is a part of a facet.
+    template <class F>
+    void for_each_side(const F& f) const {
+        for (TetId t = 0; t < mesh.mesh.tetrahedra.size(); ++t) {
+            const Tetrahedron& tet = mesh.mesh.tetrahedra[t];
+            if (tet.is_dead() || tet.is_ghost()) continue;
+            for (unsigned k = 0; k < 4; ++k)
+                if (is_of_facet(facet_code(t, k))) f(facet_code(t, k));
+        }
+    }
+    bool is_of_facet(FacetCode face) const noexcept {
+        return mesh.is_wall(face) && mesh.sides[face] != no_index;
+    }
     LinkedMesh::Side side(FacetCode wall) const noexcept { return mesh.sides[wall]; }
     // The wall of the same facet on the other side of the edge xy, or no_index if the edge is a
     // segment: one that the mesh keeps, or where other walls meet.

@@ -99,18 +99,23 @@ Refusal WallInsertion::find_in_wall(const double* q, FacetCode wall, Segment& ne
     return dig(q);
 }
 
+// Divides the walls of a facet at a segment, unless they are divided already. Returns false if they
+// are no polygon with the segment as an edge and without vertices inside.
+bool WallInsertion::divide_at_segment(const double* q, FacetCode wall, const Segment& segment) {
+    if (is_divided(wall)) return true;
+    const std::size_t walls = divided_.size(), rims = rims_.size();
+    divide_facet(q, wall, segment, nullptr);
+    return rims_.size() - rims + 1 == divided_.size() - walls + 2;
+}
+
 Refusal WallInsertion::find_on_segment(const double* q, const Segment& segment) {
     clear();
-    // Around the segment from wall to wall; on the hull, from both sides of the given one.
+    // This loop goes around the segment from wall to wall. If it comes to the hull, it goes the
+    // other way from the given wall, too.
     FacetCode wall = segment.wall;
     for (int way = 0; way < 2; ++way) {
         for (;;) {
-            if (!is_divided(wall)) {
-                const std::size_t walls = divided_.size(), rims = rims_.size();
-                divide_facet(q, wall, segment, nullptr);
-                if (rims_.size() - rims + 1 != divided_.size() - walls + 2)
-                    return Refusal::shapeless;
-            }
+            if (!divide_at_segment(q, wall, segment)) return Refusal::shapeless;
             // The tetrahedra of the sector between this wall and the next.
             for (FacetCode code = wall;;) {
                 const TetId t = tetrahedron_of(code);
@@ -125,12 +130,7 @@ Refusal WallInsertion::find_on_segment(const double* q, const Segment& segment) 
                 if (mesh_.walled.is_wall(wall)) break;
                 code = tet.n[other];
             }
-            if (!is_divided(wall)) {
-                const std::size_t walls = divided_.size(), rims = rims_.size();
-                divide_facet(q, wall, segment, nullptr);
-                if (rims_.size() - rims + 1 != divided_.size() - walls + 2)
-                    return Refusal::shapeless;
-            }
+            if (!divide_at_segment(q, wall, segment)) return Refusal::shapeless;
             if (edges_.is_hull(wall)) break;
             wall = edges_.behind(wall);
             if (wall == segment.wall) return dig(q);

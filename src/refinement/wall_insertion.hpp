@@ -33,17 +33,17 @@ class WallInsertion {
         VertexId a = infinite_vertex, b = infinite_vertex;
         FacetCode wall = no_index;  // one that has it
     };
-    // Finds the cavity of a point in a wall. If the point is near a segment around the walls that
-    // it divides, `near` becomes that segment, and the point is refused.
+    // Finds the cavity of a point in a wall. A point that is near a segment around the walls that
+    // it divides is refused, and `near` becomes that segment.
     Refusal find_in_wall(const double* q, FacetCode wall, Segment& near);
     Refusal find_on_segment(const double* q, const Segment& segment);
     // After one of them has found a cavity: the vertices of its boundary.
     const Numbers& vertices() const noexcept { return vertices_; }
     std::size_t slots_needed() const noexcept { return 2 * boundary_.size(); }
-    // And the insertion. take() gives a free slot, give(slot) takes one back, and made(t) is called
-    // for each new tetrahedron.
-    template <class Take, class Give, class Made>
-    void insert(VertexId q, const Take& take, const Give& give, const Made& made) {
+    // Inserts the point as vertex q, after one of them has found a cavity. take() gives a free
+    // slot, and give(slot) takes one back.
+    template <class Take, class Give>
+    void insert(VertexId q, const Take& take, const Give& give) {
         given_back_.clear();
         list_facets();
         for (const TetId t : given_back_) give(t);
@@ -51,8 +51,9 @@ class WallInsertion {
         for (std::size_t i = 0; i < facets_.size(); ++i) star_.push_back(take());
         fill(q);
         link(take);
-        for (const TetId t : star_) made(t);
     }
+    // The tetrahedra of the last point that was inserted.
+    const Buffer<TetId>& star() const noexcept { return star_; }
 
   private:
     // A divided wall's edge that stays, in the order of the wall's corners as seen from the side
@@ -76,9 +77,11 @@ class WallInsertion {
 
     void clear();
     bool is_divided(FacetCode wall) const noexcept;
-    // Lists the walls of a facet that the point divides, from one of them on, and their rims.
+    // Adds the walls of a facet that the point divides to the list, beginning with `wall`, and adds
+    // their rims.
     // Returns false if the point is near a segment, which `near` becomes then.
     bool divide_facet(const double* q, FacetCode wall, const Segment& divided, Segment* near);
+    bool divide_at_segment(const double* q, FacetCode wall, const Segment& segment);
     Refusal dig(const double* q);
     Refusal shrink(const double* q);
     bool keeps_all();

@@ -30,24 +30,17 @@ Vector<double> center_offset(const Vector<double>& u, const Vector<double>& v) n
 // Each facet has the frame of its largest triangle.
 void WallRefiner::find_frames() {
     const WalledMesh& walled = mesh_.walled;
-    for (TetId t = 0; t < walled.mesh.tetrahedra.size(); ++t) {
-        const Tetrahedron& tet = walled.mesh.tetrahedra[t];
-        if (tet.is_dead() || tet.is_ghost()) continue;
-        for (unsigned k = 0; k < 4; ++k) {
-            const FacetCode wall = facet_code(t, k);
-            if (!walled.is_wall(wall) || walled.sides[wall] == no_index) continue;
-            const std::size_t label = LinkedMesh::label_of(walled.sides[wall]);
-            if (label >= frames_.size()) frames_.resize(label + 1, Frame());
-            VertexId v[3];
-            edges_.corners(wall, v);
-            const double* const a = walled.point(v[0]);
-            const Vector<double> u = difference<double>(walled.point(v[1]), a),
-                                 w = difference<double>(walled.point(v[2]), a), n = cross(u, w);
-            Frame& frame = frames_[label];
-            if (!(dot(n, n) > frame.area2)) continue;
-            frame = {{a[0], a[1], a[2]}, u, w, dot(n, n)};
-        }
-    }
+    edges_.for_each_side([&](FacetCode wall) {
+        const std::size_t label = LinkedMesh::label_of(edges_.side(wall));
+        if (label >= frames_.size()) frames_.resize(label + 1, Frame());
+        VertexId v[3];
+        edges_.corners(wall, v);
+        const double* const a = walled.point(v[0]);
+        const Vector<double> u = difference<double>(walled.point(v[1]), a),
+                             w = difference<double>(walled.point(v[2]), a), n = cross(u, w);
+        Frame& frame = frames_[label];
+        if (dot(n, n) > frame.area2) frame = {{a[0], a[1], a[2]}, u, w, dot(n, n)};
+    });
 }
 
 void WallRefiner::find_pinched_edges() {
@@ -113,17 +106,9 @@ bool WallRefiner::is_there(FacetCode wall, VertexId newest) const noexcept {
 }
 
 void WallRefiner::divide_by_size(std::size_t most_points, StageProgress& progress) {
-    const WalledMesh& walled = mesh_.walled;
-    for (TetId t = 0; t < walled.mesh.tetrahedra.size(); ++t) {
-        const Tetrahedron& tet = walled.mesh.tetrahedra[t];
-        if (tet.is_dead() || tet.is_ghost()) continue;
-        for (unsigned k = 0; k < 4; ++k) {
-            const FacetCode wall = facet_code(t, k);
-            if (walled.is_wall(wall) && walled.sides[wall] != no_index &&
-                (edges_.is_hull(wall) || wall < edges_.behind(wall)))
-                add(wall);
-        }
-    }
+    edges_.for_each_side([&](FacetCode wall) {
+        if (edges_.is_hull(wall) || wall < edges_.behind(wall)) add(wall);
+    });
     for (std::size_t i = 0; !bad_.empty() && inserted < most_points; ++i) {
         if (i % 64 == 0) progress.stop_request().poll();
         std::pop_heap(bad_.begin(), bad_.end());
@@ -132,11 +117,14 @@ void WallRefiner::divide_by_size(std::size_t most_points, StageProgress& progres
         if (!is_there(bad.wall, bad.newest)) continue;
         WallInsertion::Segment longest;
         excess_of(bad.wall, longest);
-        if (longest.wall == no_index || !divide_segment(longest)) divide(bad.wall);
+        if ((longest.wall == no_index || !divide_segment(longest)) && !divide(bad.wall)) continue;
+        for (const TetId t : insertion_.star())
+            for (unsigned k = 0; k < 4; ++k)
+                if (edges_.is_of_facet(facet_code(t, k))) add(facet_code(t, k));
     }
 }
 
-bool WallRefiner::divide_by_shape(const KernelCalls& kernel, std::size_t most_points,
+void WallRefiner::divide_by_shape(const KernelCalls& kernel, std::size_t most_points,
                                   StageProgress& progress) {
     const WalledMesh& walled = mesh_.walled;
     const std::size_t before = inserted;
@@ -154,13 +142,11 @@ bool WallRefiner::divide_by_shape(const KernelCalls& kernel, std::size_t most_po
         for (int k = 0; k < 3; ++k) point.x[k] = walled.point(tet.v[0])[k] + e.offset.x[k];
         if (!(e.radius2 < 16)) continue;
         const FacetCode wall = search_.find_wall(mesh_, kernel, point);
-        if (wall == no_index || walled.sides[wall] == no_index || !divide(wall)) continue;
+        if (wall == no_index || !edges_.is_of_facet(wall) || !divide(wall)) continue;
         // It may be there still, and may have a point now.
         const Tetrahedron& now = walled.mesh.tetrahedra[t];
         if (!now.is_dead() && now.v[0] == newest) mesh_.verdicts[t] = Verdict(mesh_.excess(now.v));
     }
-    bad_.clear();
-    return inserted > before;
 }
 
 bool WallRefiner::divide_segment(const WallInsertion::Segment& segment) {
@@ -262,14 +248,9 @@ bool WallRefiner::insert(const double* x, FacetCode wall, const WallInsertion::S
             walled.mesh.free_slots.pop_back();
             return t;
         },
-        [&](TetId t) { walled.mesh.free_slots.push_back(t); },
-        [&](TetId t) {
-            mesh_.verdicts[t] = Verdict(mesh_.excess(walled.mesh.tetrahedra[t].v));
-            for (unsigned k = 0; k < 4; ++k) {
-                const FacetCode made = facet_code(t, k);
-                if (walled.is_wall(made) && walled.sides[made] != no_index) add(made);
-            }
-        });
+        [&](TetId t) { walled.mesh.free_slots.push_back(t); });
+    for (const TetId t : insertion_.star())
+        mesh_.verdicts[t] = Verdict(mesh_.excess(walled.mesh.tetrahedra[t].v));
     ++inserted;
     return true;
 }

@@ -24,9 +24,8 @@ class WallRefiner {
 
     // Divides walls and segments until they are as short as the sizes want.
     void divide_by_size(std::size_t most_points, StageProgress& progress);
-    // Divides walls that keep points from tetrahedra that are refused for that. Returns whether
-    // one was divided.
-    bool divide_by_shape(const KernelCalls& kernel, std::size_t most_points,
+    // Divides walls that keep points from tetrahedra that are refused for that.
+    void divide_by_shape(const KernelCalls& kernel, std::size_t most_points,
                          StageProgress& progress);
 
     std::size_t inserted = 0;
